@@ -1,0 +1,133 @@
+/*
+ * model.h - any model by its tag: what the list of models generates.
+ *
+ * A material is 128 bytes of 4-byte scalars, the same on host, device and in a file. Its parameters
+ * unpack into the model's own struct, whose members are its choices (int) and then its values
+ * (brdf_real, one or three each) in the order of the list; that order is the whole format.
+ *
+ * Where the tag and the choices are constants, the switches below fold away and what is left is a
+ * direct call of the model: kernels are specialised that way.
+ */
+#ifndef BRDF_MODEL_H
+#define BRDF_MODEL_H
+
+#include "frame.h"
+#include "parameters.h"
+#include "sample.h"
+
+/* First reading of the list: the models themselves, and their tags in the order of the list. */
+#include "models.h"
+
+enum brdf_model_tag {
+#define BRDF_MODEL(name, NAME, flags, summary, reference) BRDF_MODEL_##NAME,
+#include "models.h"
+#undef BRDF_MODEL
+    BRDF_MODEL_COUNT
+};
+
+/* How many choices and values each model has. */
+enum brdf_model_size {
+#define BRDF_MODEL(name, NAME, flags, summary, reference)                                          \
+    BRDF_##NAME##_CHOICES = 0 BRDF_##NAME##_PARAMETERS(BRDF_PLUS_CHOICE),                          \
+    BRDF_##NAME##_WORDS = 0 BRDF_##NAME##_PARAMETERS(BRDF_PLUS_WORDS),
+#include "models.h"
+#undef BRDF_MODEL
+    BRDF_MATERIAL_WORDS = 28
+};
+
+/* Material flags; the low 16 bits are the model's own (parameters.h). */
+#define BRDF_TWOSIDED 0x10000u /* the side below the surface looks like the side above */
+
+struct brdf_material {
+    unsigned model;                  /* enum brdf_model_tag */
+    unsigned flags;                  /* BRDF_REFLECTION ..., BRDF_TWOSIDED */
+    unsigned choices;                /* 4 bits a choice, the first lowest */
+    unsigned table;                  /* first word of its table, if tabulated */
+    float word[BRDF_MATERIAL_WORDS]; /* values in the order of the list */
+};
+
+union brdf_parameters {
+#define BRDF_MODEL(name, NAME, flags, summary, reference) struct brdf_##name name;
+#include "models.h"
+#undef BRDF_MODEL
+};
+typedef union brdf_parameters brdf_parameters;
+
+/* One value for all lanes from each word, one int from each 4 bits: a model's struct, filled. */
+static inline void brdf_unpack(void *parameters, int choice_count, int word_count, unsigned choices,
+                               BRDF_GLOBAL const float *word)
+{
+    int *choice = (int *)parameters;
+    int lanes = (int)(sizeof(brdf_real) / sizeof(int));
+    brdf_real *value = (brdf_real *)(void *)(choice + (choice_count + lanes - 1) / lanes * lanes);
+    for (int i = 0; i < choice_count; ++i) {
+        choice[i] = (int)(choices >> (4 * i) & 15u);
+    }
+    for (int i = 0; i < word_count; ++i) {
+        value[i] = word[i];
+    }
+}
+
+static inline brdf_parameters brdf_parameters_load(unsigned model, unsigned choices,
+                                                   BRDF_GLOBAL const float *word)
+{
+    brdf_parameters p;
+    switch (model) {
+#define BRDF_MODEL(name, NAME, flags, summary, reference)                                          \
+    case BRDF_MODEL_##NAME:                                                                        \
+        brdf_unpack(&p.name, BRDF_##NAME##_CHOICES, BRDF_##NAME##_WORDS, choices, word);           \
+        break;
+#include "models.h"
+#undef BRDF_MODEL
+    default:
+        break;
+    }
+    return p;
+}
+
+/* f(wo, wi) [1/sr], without the cosine. */
+static inline brdf_rgb brdf_model_eval(unsigned model, brdf_parameters p, brdf_vec3 wo,
+                                       brdf_vec3 wi, BRDF_GLOBAL const float *table)
+{
+    switch (model) {
+#define BRDF_MODEL(name, NAME, flags, summary, reference)                                          \
+    case BRDF_MODEL_##NAME:                                                                        \
+        return brdf_##name##_eval(p.name, wo, wi, table);
+#include "models.h"
+#undef BRDF_MODEL
+    default:
+        return brdf_gray(0.0f);
+    }
+}
+
+/* Density [1/sr] with which sample() returns wi. */
+static inline brdf_real brdf_model_pdf(unsigned model, brdf_parameters p, brdf_vec3 wo,
+                                       brdf_vec3 wi, BRDF_GLOBAL const float *table)
+{
+    switch (model) {
+#define BRDF_MODEL(name, NAME, flags, summary, reference)                                          \
+    case BRDF_MODEL_##NAME:                                                                        \
+        return brdf_##name##_pdf(p.name, wo, wi, table);
+#include "models.h"
+#undef BRDF_MODEL
+    default:
+        return 0.0f;
+    }
+}
+
+/* A direction wi for the uniform numbers u in [0, 1)^3: x, y place it, z chooses among lobes. */
+static inline struct brdf_sample brdf_model_sample(unsigned model, brdf_parameters p, brdf_vec3 wo,
+                                            brdf_vec3 u, BRDF_GLOBAL const float *table)
+{
+    switch (model) {
+#define BRDF_MODEL(name, NAME, flags, summary, reference)                                          \
+    case BRDF_MODEL_##NAME:                                                                        \
+        return brdf_##name##_sample(p.name, wo, u, table);
+#include "models.h"
+#undef BRDF_MODEL
+    default:
+        return brdf_sample_make(wo, brdf_gray(0.0f), 0.0f);
+    }
+}
+
+#endif

@@ -1,0 +1,58 @@
+/*
+ * parameters.h - how a model lists its parameters, once, and what one line of the list becomes.
+ *
+ * A model lists its parameters as a macro over P, one line each, every CHOICE before the rest:
+ *
+ *   P(kind, name, initial, low, high, unit, meaning)
+ *
+ *   CHOICE  one of several named options, the same for all lanes; `unit` names them: "ggx|beckmann",
+ *           initial is the option's number. In the struct: int.
+ *   REAL    one number in [low, high], `unit` as a string ("1" if it has none; "ior" also accepts the
+ *           name of a dielectric). In the struct: brdf_real.
+ *   COLOR   linear Rec. 709, each channel in [low, high]. In the struct: brdf_rgb.
+ *   ALIAS   host only: a name that sets several others, named in `unit`: "alpha_u|alpha_v".
+ *   METAL   host only: the name of a metal that sets the colours `eta` and `k`.
+ *   FILE    host only: the path of a measurement, read into the model's table.
+ *
+ * From the list come the struct, the reflection table, the parser, validation, docs and tests.
+ */
+#ifndef BRDF_PARAMETERS_H
+#define BRDF_PARAMETERS_H
+
+#include "vec.h"
+
+/* The members of the parameter struct. */
+#define BRDF_FIELD(kind, name, initial, low, high, unit, meaning) BRDF_FIELD_##kind(name)
+#define BRDF_FIELD_CHOICE(name) int name;
+#define BRDF_FIELD_REAL(name) brdf_real name;
+#define BRDF_FIELD_COLOR(name) brdf_rgb name;
+#define BRDF_FIELD_ALIAS(name)
+#define BRDF_FIELD_METAL(name)
+#define BRDF_FIELD_FILE(name)
+
+/* "0 LIST(BRDF_PLUS_CHOICE)" counts the choices, "0 LIST(BRDF_PLUS_WORDS)" the 4-byte values. */
+#define BRDF_PLUS_CHOICE(kind, name, initial, low, high, unit, meaning) BRDF_PLUS_CHOICE_##kind
+#define BRDF_PLUS_CHOICE_CHOICE +1
+#define BRDF_PLUS_CHOICE_REAL
+#define BRDF_PLUS_CHOICE_COLOR
+#define BRDF_PLUS_CHOICE_ALIAS
+#define BRDF_PLUS_CHOICE_METAL
+#define BRDF_PLUS_CHOICE_FILE
+
+#define BRDF_PLUS_WORDS(kind, name, initial, low, high, unit, meaning) BRDF_PLUS_WORDS_##kind
+#define BRDF_PLUS_WORDS_CHOICE
+#define BRDF_PLUS_WORDS_REAL +1
+#define BRDF_PLUS_WORDS_COLOR +3
+#define BRDF_PLUS_WORDS_ALIAS
+#define BRDF_PLUS_WORDS_METAL
+#define BRDF_PLUS_WORDS_FILE
+
+/* What a model is, as bits; each model's announcement line at the end of its file states them. */
+#define BRDF_REFLECTION 1u   /* scatters to wo's side */
+#define BRDF_TRANSMISSION 2u /* scatters to the other side */
+#define BRDF_DELTA 4u        /* has delta lobes only: eval and pdf are 0 */
+#define BRDF_ANISOTROPIC 8u  /* can depend on the azimuth of wo */
+#define BRDF_TABULATED 16u   /* reads a table made from a FILE */
+#define BRDF_RECIPROCAL 32u  /* f(wo, wi) = f(wi, wo), for transmission f / eta^2 */
+
+#endif
