@@ -1,0 +1,118 @@
+/*
+ * scene.h - how a scene lies in memory: records of 4-byte words, the same bytes on host and device.
+ *
+ * One array of words holds everything that a path can meet; struct pt_settings says at which word
+ * each part begins. Integers lie in it as their bits. Records of 16 words start on 64 bytes, one
+ * cache line, so that reading one record touches one line (rows.h reads a packet of them at once).
+ */
+#ifndef PT_SCENE_H
+#define PT_SCENE_H
+
+#include "brdf/model.h"
+
+#define PT_ROW 16 /* words in a record */
+
+/* Primitives, a row each. Planar ones are p + u e1 + v e2 with a rule for (u, v). */
+#define PT_TRIANGLE 0  /* u >= 0, v >= 0, u + v <= 1; p, e1, e2 = vertex 0 and the edges from it */
+#define PT_RECTANGLE 1 /* 0 <= u, v <= 1; p = one corner */
+#define PT_DISK 2      /* u^2 + v^2 <= 1; p = centre, e1 and e2 = two conjugate radii */
+#define PT_SPHERE 3    /* p = centre; e1, e2 = its x and y axes, length = the radius */
+
+enum pt_primitive_word {
+    PT_P = 0,         /* 3 words: see above */
+    PT_E1 = 3,        /* 3 words */
+    PT_E2 = 6,        /* 3 words */
+    PT_KIND = 9,      /* int: PT_TRIANGLE ... */
+    PT_SURFACE = 10,  /* int: index of the surface */
+    PT_SHADING = 11,  /* int: row of normals and texture coordinates, or -1 (triangles only) */
+    PT_FLIP = 12,     /* float: 1 or -1, multiplies the normal e1 x e2 (sphere: outward) */
+    PT_RADIUS = 13,   /* float: of a sphere, else 0 */
+    PT_LIGHT_PDF = 14 /* float: probability that next-event estimation chooses it; 0 = no light */
+};
+
+/* Shading of a triangle: what is interpolated over it. */
+enum pt_shading_word {
+    PT_NORMALS = 0, /* 9 words: unit normals of the vertices 0, 1, 2, after PT_FLIP */
+    PT_UVS = 9      /* 6 words: texture coordinates of the vertices */
+};
+
+/* A light, a row each: a primitive that emits, or the environment (kind -1). */
+enum pt_light_word {
+    PT_LIGHT_KIND = 9, /* words 0 to 8 as in the primitive; int: kind, or -1 for the environment */
+    PT_LIGHT_RADIANCE = 10, /* 3 words, linear Rec. 709 [W/(m^2 sr)] */
+    PT_LIGHT_SELECT = 13,   /* float: probability of being chosen */
+    PT_LIGHT_RADIUS = 14,   /* float: of a sphere */
+    PT_LIGHT_FLIP = 15      /* float: 1 or -1, the side that emits */
+};
+
+/* A surface: a material and what it emits; all 4-byte words. */
+struct pt_surface {
+    struct brdf_material material;
+    float radiance[3]; /* 0 where it does not emit */
+    int emits;
+    int variant; /* the specialised shading kernel: equal model, flags and choices */
+    int padding[3];
+};
+
+/* Features: what a scene has, as bits; kernels are compiled for exactly these. */
+#define PT_HAS_PLANAR 1       /* triangles, rectangles or disks */
+#define PT_HAS_SPHERES 2      /* spheres */
+#define PT_HAS_SHADING 4      /* triangles with normals or texture coordinates */
+#define PT_HAS_LIGHTS 8       /* primitives that emit */
+#define PT_HAS_SPHERE_LIGHTS 16
+#define PT_HAS_CONSTANT 32    /* a constant environment */
+#define PT_HAS_MAP 64         /* an environment map */
+#define PT_HAS_BVH 128        /* enough primitives for a hierarchy */
+#define PT_HAS_SOBOL 256      /* Owen-scrambled Sobol; else independent random numbers */
+
+/* Reconstruction filters. */
+#define PT_FILTER_BOX 0
+#define PT_FILTER_TENT 1
+#define PT_FILTER_GAUSSIAN 2
+
+struct pt_settings {
+    /* Camera: a ray through the film at (x, y) in [0, 1]^2 (y down) starts at camera_origin and runs
+       along camera_corner + x camera_right + y camera_down, normalised. World space. */
+    float camera_origin[3];
+    float camera_corner[3];
+    float camera_right[3];
+    float camera_down[3];
+    int width;  /* pixels */
+    int height; /* pixels */
+    int seed;
+    int max_depth; /* path segments at most; as in Mitsuba, 1 = only what emits is seen */
+    int rr_depth;  /* Russian roulette from this depth on */
+    int filter;    /* PT_FILTER_... */
+    float filter_radius; /* pixels */
+    float filter_sigma;  /* pixels, gaussian */
+    int features;        /* PT_HAS_... */
+
+    /* Where the parts begin, in words of the scene array, and how many records they hold. */
+    int primitives;
+    int primitive_count;
+    int shading;
+    int surfaces;
+    int surface_count;
+    int lights;
+    int light_cdf; /* light_count + 1 words, from 0 to 1 */
+    int light_count;
+    int light_steps; /* steps of the binary search in light_cdf */
+    int nodes;       /* bvh.h */
+    int leaves;
+    int root;
+
+    /* Environment. */
+    float environment_radiance[3]; /* constant */
+    float environment_pdf;         /* probability of choosing the environment as the light */
+    float environment_to_local[9]; /* rows of the rotation world -> map */
+    float environment_to_world[9];
+    int environment_width;
+    int environment_height;
+    int environment_texels; /* 4 words each: r, g, b, unused */
+    int environment_rows;   /* CDF over rows: height + 1 words */
+    int environment_columns; /* a CDF a row: height x (width + 1) words */
+    int environment_row_steps;
+    int environment_column_steps;
+};
+
+#endif

@@ -1,0 +1,66 @@
+/*
+ * scene.h - a scene in the host's memory: what the loader makes and world.c lays out for the device.
+ */
+#ifndef BRDFCL_LIB_SCENE_H
+#define BRDFCL_LIB_SCENE_H
+
+#include <brdf/material.h>
+#include <brdfcl/image.h>
+#include <brdfcl/scene.h>
+
+#include "kernels/scene.h"
+
+enum scene_environment_kind { ENVIRONMENT_NONE, ENVIRONMENT_CONSTANT, ENVIRONMENT_MAP };
+
+struct scene_environment {
+    enum scene_environment_kind kind;
+    float radiance[3];         /* constant */
+    struct brdfcl_image image; /* map, already scaled */
+    float to_world[9];         /* rotation, row-major: map -> world */
+};
+
+struct scene_surface {
+    struct brdf_bsdf *bsdf; /* not owned: one of brdfcl_scene.bsdfs */
+    float radiance[3];
+    int emits;
+};
+
+/* A growing array of 16-word records. */
+struct scene_rows {
+    float *words;
+    size_t count;    /* records */
+    size_t capacity; /* records */
+};
+
+struct brdfcl_scene {
+    /* sensor */
+    float camera_to_world[16]; /* row-major; Mitsuba's camera looks along +z, +x left, +y up */
+    float fov_x;               /* horizontal field of view [degrees] */
+    float principal_offset[2]; /* of the film, as fractions of its width and height */
+    int width;
+    int height;
+    int filter; /* PT_FILTER_... */
+    float filter_radius;
+    float filter_sigma;
+    int half; /* hdrfilm component_format = float16 */
+    /* sampler and integrator */
+    int sobol; /* else independent */
+    int spp;
+    int seed;
+    int max_depth; /* -1 = unlimited */
+    int rr_depth;
+    /* content */
+    struct scene_rows primitives; /* kernels/scene.h; PT_LIGHT_PDF is filled in later */
+    struct scene_rows shading;
+    struct scene_surface *surfaces;
+    size_t surface_count;
+    struct brdf_bsdf **bsdfs;
+    size_t bsdf_count;
+    struct scene_environment environment;
+    /* what the loader has to say: sampler mapped, triangles dropped; one line each, malloc'd */
+    char **notes;
+    size_t note_count;
+    char *path;
+};
+
+#endif
