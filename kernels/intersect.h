@@ -37,7 +37,7 @@ static inline struct pt_distance pt_planar_distance(struct pt_ray ray, brdf_vec3
     brdf_vec3 along = brdf_cross(from, e1);
     brdf_real v = brdf_dot(ray.d, along) * inverse;
     brdf_real t = brdf_dot(e2, along) * inverse;
-    brdf_real far = brdf_pick_int(kind == PT_TRIANGLE, 1, 0) != 0 ? u + v : brdf_max(u, v);
+    brdf_real far = brdf_pick(kind == PT_TRIANGLE, u + v, brdf_max(u, v));
     brdf_mask inside = (brdf_min(u, v) >= 0.0f) & (far <= 1.0f);
     inside = brdf_pick_int(kind == PT_DISK, u * u + v * v <= 1.0f, inside);
     struct pt_distance hit;

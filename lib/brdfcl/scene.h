@@ -12,6 +12,8 @@
 
 enum scene_environment_kind { ENVIRONMENT_NONE, ENVIRONMENT_CONSTANT, ENVIRONMENT_MAP };
 
+enum scene_fov_axis { FOV_X, FOV_Y, FOV_DIAGONAL, FOV_SMALLER, FOV_LARGER };
+
 struct scene_environment {
     enum scene_environment_kind kind;
     float radiance[3];         /* constant */
@@ -35,7 +37,8 @@ struct scene_rows {
 struct brdfcl_scene {
     /* sensor */
     float camera_to_world[16]; /* row-major; Mitsuba's camera looks along +z, +x left, +y up */
-    float fov_x;               /* horizontal field of view [degrees] */
+    float fov;                 /* field of view along fov_axis [degrees] */
+    enum scene_fov_axis fov_axis;
     float principal_offset[2]; /* of the film, as fractions of its width and height */
     int width;
     int height;
