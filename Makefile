@@ -171,14 +171,19 @@ $(BUILD)/obj/embedded_brdf.o: $(BUILD)/embedded_brdf.c
 $(BUILD)/obj/embedded_kernels.o: $(BUILD)/embedded_kernels.c
 	$(compile)
 
-# The text of the shared headers and of the kernels, inside the libraries.
-$(BUILD)/embedded_brdf.c: tools/embed.awk $(shared_headers)
+# The text of the shared headers and of the kernels, inside the libraries. The list of names is there
+# to notice a file that went away.
+$(BUILD)/embedded.list: FORCE
 	@mkdir -p $(@D)
+	@echo $(shared_headers) $(kernel_texts) | cmp -s - $@ || \
+	    echo $(shared_headers) $(kernel_texts) > $@
+FORCE:
+
+$(BUILD)/embedded_brdf.c: tools/embed.awk $(BUILD)/embedded.list $(shared_headers)
 	@$(AWK) -v table=brdf_embedded_files -v header=lib/brdf/embedded.h -v strip=include/ \
 	    -f tools/embed.awk $(shared_headers) < /dev/null > $@
 
-$(BUILD)/embedded_kernels.c: tools/embed.awk $(kernel_texts)
-	@mkdir -p $(@D)
+$(BUILD)/embedded_kernels.c: tools/embed.awk $(BUILD)/embedded.list $(kernel_texts)
 	@$(AWK) -v table=brdfcl_embedded_files -v header=lib/brdfcl/embedded.h \
 	    -f tools/embed.awk $(kernel_texts) < /dev/null > $@
 

@@ -25,13 +25,13 @@ FNR == 1 {
     gsub(/[\\"?]/, "\\\\&")
     gsub(/\t/, "\\t")
     gsub(/\r/, "\\r")
-    print "    \"" $0 "\\n\","
+    print "    \"" $0 "\","
 }
 
 END {
     if (count > 0)
         print "    0};"
-    print "\nconst struct brdf_embedded_file " table "[] = {"
+    print "\nconst struct brdf_source_file " table "[] = {"
     for (i = 0; i < count; ++i)
         print "    {\"" name[i] "\", file_" i "},"
     print "    {0, 0}};"

@@ -4,9 +4,9 @@
 #ifndef BRDFCL_EMBEDDED_H
 #define BRDFCL_EMBEDDED_H
 
-#include "../brdf/embedded.h"
+#include <brdf/source.h>
 
-/* Every file under kernels, sorted by name ("kernels/film.cl"); ended by a null name. */
-extern const struct brdf_embedded_file brdfcl_embedded_files[];
+/* Every file under kernels, "kernels/film.cl", by name; then a NULL name. For brdf_source_expand. */
+extern const struct brdf_source_file brdfcl_embedded_files[];
 
 #endif
