@@ -2,8 +2,8 @@
  * intersect.h - where a ray meets a primitive.
  *
  * Rays and primitives both come as lane values. A packet of rays against one primitive passes the
- * primitive's values for all lanes alike; one ray against a leaf of primitives passes the ray's. The
- * arithmetic is the same, so both find the same bits.
+ * primitive's values for all lanes alike; one ray against a leaf of primitives passes the ray's.
+ * The arithmetic is the same, so both find the same bits.
  */
 #ifndef PT_INTERSECT_H
 #define PT_INTERSECT_H

@@ -55,15 +55,15 @@ struct pt_surface {
 };
 
 /* Features: what a scene has, as bits; kernels are compiled for exactly these. */
-#define PT_HAS_PLANAR 1       /* triangles, rectangles or disks */
-#define PT_HAS_SPHERES 2      /* spheres */
-#define PT_HAS_SHADING 4      /* triangles with normals or texture coordinates */
-#define PT_HAS_LIGHTS 8       /* primitives that emit */
+#define PT_HAS_PLANAR 1  /* triangles, rectangles or disks */
+#define PT_HAS_SPHERES 2 /* spheres */
+#define PT_HAS_SHADING 4 /* triangles with normals or texture coordinates */
+#define PT_HAS_LIGHTS 8  /* primitives that emit */
 #define PT_HAS_SPHERE_LIGHTS 16
-#define PT_HAS_CONSTANT 32    /* a constant environment */
-#define PT_HAS_MAP 64         /* an environment map */
-#define PT_HAS_BVH 128        /* enough primitives for a hierarchy */
-#define PT_HAS_SOBOL 256      /* Owen-scrambled Sobol; else independent random numbers */
+#define PT_HAS_CONSTANT 32 /* a constant environment */
+#define PT_HAS_MAP 64      /* an environment map */
+#define PT_HAS_BVH 128     /* enough primitives for a hierarchy */
+#define PT_HAS_SOBOL 256   /* Owen-scrambled Sobol; else independent random numbers */
 
 /* Reconstruction filters. */
 #define PT_FILTER_BOX 0
@@ -71,8 +71,8 @@ struct pt_surface {
 #define PT_FILTER_GAUSSIAN 2
 
 struct pt_settings {
-    /* Camera: a ray through the film at (x, y) in [0, 1]^2 (y down) starts at camera_origin and runs
-       along camera_corner + x camera_right + y camera_down, normalised. World space. */
+    /* Camera: a ray through the film at (x, y) in [0, 1]^2 (y down) starts at camera_origin and
+       runs along camera_corner + x camera_right + y camera_down, normalised. World space. */
     float camera_origin[3];
     float camera_corner[3];
     float camera_right[3];
@@ -80,9 +80,9 @@ struct pt_settings {
     int width;  /* pixels */
     int height; /* pixels */
     int seed;
-    int max_depth; /* path segments at most; as in Mitsuba, 1 = only what emits is seen */
-    int rr_depth;  /* Russian roulette from this depth on */
-    int filter;    /* PT_FILTER_... */
+    int max_depth;       /* path segments at most; as in Mitsuba, 1 = only what emits is seen */
+    int rr_depth;        /* Russian roulette from this depth on */
+    int filter;          /* PT_FILTER_... */
     float filter_radius; /* pixels */
     float filter_sigma;  /* pixels, gaussian */
     int features;        /* PT_HAS_... */
@@ -108,8 +108,8 @@ struct pt_settings {
     float environment_to_world[9];
     int environment_width;
     int environment_height;
-    int environment_texels; /* 4 words each: r, g, b, unused */
-    int environment_rows;   /* CDF over rows: height + 1 words */
+    int environment_texels;  /* 4 words each: r, g, b, unused */
+    int environment_rows;    /* CDF over rows: height + 1 words */
     int environment_columns; /* a CDF a row: height x (width + 1) words */
     int environment_row_steps;
     int environment_column_steps;

@@ -13,6 +13,8 @@
  * (choose, convert, gather) has a function here. `float`, `int` and `unsigned` stay what they are:
  * one value for all lanes.
  *
+ * Words that OpenCL C keeps for itself cannot be names: local, global, private, constant, kernel, half.
+ *
  * OpenCL: define BRDF_LANES (1, 4, 8 or 16; default 1) before the first include.
  */
 #ifndef BRDF_DIALECT_H
@@ -97,6 +99,13 @@ typedef brdf_int brdf_mask;
 
 #endif
 
+/* The same truth in every lane. (A vector mask is true by its top bit, so that 1 is not enough.) */
+static inline brdf_mask brdf_mask_of(int truth)
+{
+    brdf_int lanes = truth;
+    return lanes != 0;
+}
+
 /* pick: mask ? yes : no in every lane. Both arms are computed, so both must be finite. */
 static inline brdf_real brdf_pick(brdf_mask mask, brdf_real yes, brdf_real no)
 {
@@ -154,7 +163,7 @@ static inline brdf_real brdf_gather(BRDF_GLOBAL const float *table, brdf_int ind
     return table[index];
 #else
 #define BRDF_LANE(k) table[index.s##k]
-    return (brdf_real) BRDF_EACH_LANE(BRDF_LANE);
+    return (brdf_real)BRDF_EACH_LANE(BRDF_LANE);
 #undef BRDF_LANE
 #endif
 }
@@ -165,12 +174,13 @@ static inline brdf_int brdf_gather_int(BRDF_GLOBAL const int *table, brdf_int in
     return table[index];
 #else
 #define BRDF_LANE(k) table[index.s##k]
-    return (brdf_int) BRDF_EACH_LANE(BRDF_LANE);
+    return (brdf_int)BRDF_EACH_LANE(BRDF_LANE);
 #undef BRDF_LANE
 #endif
 }
 
-/* Is the mask true in some lane, in every lane? One answer for all lanes: a branch on it is fine. */
+/* Is the mask true in some lane, in every lane? One answer for all lanes: a branch on it is fine.
+ */
 static inline int brdf_any(brdf_mask mask)
 {
 #if BRDF_LANES == 1
@@ -196,7 +206,7 @@ static inline brdf_int brdf_lane_numbers(void)
     return 0;
 #else
 #define BRDF_LANE(k) 0x##k
-    return (brdf_int) BRDF_EACH_LANE(BRDF_LANE);
+    return (brdf_int)BRDF_EACH_LANE(BRDF_LANE);
 #undef BRDF_LANE
 #endif
 }

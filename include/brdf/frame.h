@@ -47,10 +47,10 @@ static inline brdf_vec3 brdf_to_local(brdf_frame frame, brdf_vec3 world)
                           brdf_dot(world, frame.n));
 }
 
-static inline brdf_vec3 brdf_to_world(brdf_frame frame, brdf_vec3 local)
+static inline brdf_vec3 brdf_to_world(brdf_frame frame, brdf_vec3 w)
 {
-    return brdf_add(brdf_add(brdf_scale(frame.s, local.x), brdf_scale(frame.t, local.y)),
-                    brdf_scale(frame.n, local.z));
+    return brdf_add(brdf_add(brdf_scale(frame.s, w.x), brdf_scale(frame.t, w.y)),
+                    brdf_scale(frame.n, w.z));
 }
 
 #endif

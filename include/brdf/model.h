@@ -117,7 +117,7 @@ static inline brdf_real brdf_model_pdf(unsigned model, brdf_parameters p, brdf_v
 
 /* A direction wi for the uniform numbers u in [0, 1)^3: x, y place it, z chooses among lobes. */
 static inline struct brdf_sample brdf_model_sample(unsigned model, brdf_parameters p, brdf_vec3 wo,
-                                            brdf_vec3 u, BRDF_GLOBAL const float *table)
+                                                   brdf_vec3 u, BRDF_GLOBAL const float *table)
 {
     switch (model) {
 #define BRDF_MODEL(name, NAME, flags, summary, reference)                                          \
