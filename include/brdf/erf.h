@@ -1,10 +1,10 @@
 /*
- * erf.h - the error function and its inverse. Included by math.h, which states the rules.
+ * erf.h - the error function and its inverse. math.h states the rules.
  */
 #ifndef BRDF_ERF_H
 #define BRDF_ERF_H
 
-#include "math.h"
+#include "exponential.h"
 
 /*
  * erf(x). 3 ulp. Near 0 an odd polynomial; from 1.25 on 1 - p^8, where p(x) fits erfc^(1/8), which
@@ -43,17 +43,17 @@ static inline brdf_real brdf_erfinv(brdf_real x)
 {
     brdf_real inside = brdf_clamp(x, -BRDF_ONE_MINUS_ULP, BRDF_ONE_MINUS_ULP);
     brdf_real w = -brdf_log((1.0f - inside) * (1.0f + inside));
-    brdf_mask near = w < 5.0f;
-    brdf_real v = brdf_pick(near, w - 2.5f, sqrtf(brdf_max(0.0f, w)) - 3.0f);
-    brdf_real p = brdf_pick(near, 2.84594073e-8f, -2.09114543e-4f);
-    p = p * v + brdf_pick(near, 3.43995566e-7f, 1.02412414e-4f);
-    p = p * v + brdf_pick(near, -3.52767938e-6f, 1.36508269e-3f);
-    p = p * v + brdf_pick(near, -4.40018312e-6f, -3.67445056e-3f);
-    p = p * v + brdf_pick(near, 2.18595582e-4f, 5.73024061e-3f);
-    p = p * v + brdf_pick(near, -1.25369453e-3f, -7.62253813e-3f);
-    p = p * v + brdf_pick(near, -4.17769281e-3f, 9.44083184e-3f);
-    p = p * v + brdf_pick(near, 2.46640712e-1f, 1.00167418f);
-    p = p * v + brdf_pick(near, 1.50140941f, 2.83297682f);
+    brdf_mask central = w < 4.8f;
+    brdf_real v = brdf_pick(central, w - 2.5f, sqrtf(brdf_max(0.0f, w)) - 3.0f);
+    brdf_real p = brdf_pick(central, 3.56033247e-8f, -2.39160043e-4f);
+    p = p * v + brdf_pick(central, 3.60172066e-7f, 1.35546114e-4f);
+    p = p * v + brdf_pick(central, -3.59043656e-6f, 1.39278790e-3f);
+    p = p * v + brdf_pick(central, -4.53769826e-6f, -3.70688434e-3f);
+    p = p * v + brdf_pick(central, 2.18751578e-4f, 5.72286127e-3f);
+    p = p * v + brdf_pick(central, -1.25337159e-3f, -7.61361467e-3f);
+    p = p * v + brdf_pick(central, -4.17779014e-3f, 9.44137946e-3f);
+    p = p * v + brdf_pick(central, 2.46640533e-1f, 1.00167358f);
+    p = p * v + brdf_pick(central, 1.50140941f, 2.83297682f);
     return p * inside;
 }
 

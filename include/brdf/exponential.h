@@ -1,10 +1,10 @@
 /*
- * exponential.h - exp, log and pow. Included by math.h, which states the rules.
+ * exponential.h - exp, log and pow. math.h states the rules.
  */
 #ifndef BRDF_EXPONENTIAL_H
 #define BRDF_EXPONENTIAL_H
 
-#include "math.h"
+#include "real.h"
 
 /* exp(r) 2^n, for |r| <= 0.35 and a result that is neither subnormal nor above BRDF_LARGEST. */
 static inline brdf_real brdf_exp_scaled(brdf_real r, brdf_real n)
@@ -20,7 +20,7 @@ static inline brdf_real brdf_exp_scaled(brdf_real r, brdf_real n)
 }
 
 /*
- * e^x. 2 ulp. From 88.7228317 on the result stays at 3.40279858e+38; below -87.3365402, where it
+ * e^x. 1 ulp. From 88.7228317 on the result stays at 3.40279858e+38; below -87.3365402, where it
  * would be subnormal, it is 0.
  */
 static inline brdf_real brdf_exp(brdf_real x)
@@ -49,7 +49,7 @@ static inline struct brdf_split brdf_split_exponent(brdf_real x)
 }
 
 /*
- * The natural logarithm of x > 0. 2 ulp. Below the smallest normal number the result stays at its
+ * The natural logarithm of x > 0. 1 ulp. Below the smallest normal number the result stays at its
  * logarithm, -87.3365479: finite, so that log(0) harms no sum. exp(y log(0)) is not 0: take
  * brdf_pow.
  */

@@ -1,10 +1,10 @@
 /*
- * trigonometry.h - sine, cosine and their inverses. Included by math.h, which states the rules.
+ * trigonometry.h - sine, cosine and their inverses. math.h states the rules.
  */
 #ifndef BRDF_TRIGONOMETRY_H
 #define BRDF_TRIGONOMETRY_H
 
-#include "math.h"
+#include "real.h"
 
 struct brdf_sincos {
     brdf_real sin;
@@ -51,7 +51,7 @@ static inline struct brdf_sincos brdf_sincos_2pi(brdf_real u)
 }
 
 /*
- * Sine and cosine of x [rad], for |x| <= 8192; beyond, those of +-8192. 2 ulp.
+ * Sine and cosine of x [rad], for |x| <= 8192; beyond, those of +-8192. 3 ulp.
  */
 static inline struct brdf_sincos brdf_sincos(brdf_real x)
 {
@@ -96,7 +96,7 @@ static inline brdf_real brdf_asin_core(brdf_real s, brdf_real z)
 
 /*
  * Arc cosine [rad] in [0, pi]; x outside [-1, 1], which rounding makes of a dot product, counts as
- * the nearer bound. 3 ulp. Above 1/2 by acos(x) = 2 asin(sqrt((1 - x) / 2)).
+ * the nearer bound. 2 ulp. Above 1/2 by acos(x) = 2 asin(sqrt((1 - x) / 2)).
  */
 static inline brdf_real brdf_acos(brdf_real x)
 {
@@ -117,11 +117,11 @@ static inline brdf_real brdf_asin(brdf_real x)
     brdf_mask outer = a > 0.5f;
     brdf_real z = brdf_pick(outer, 0.5f * (1.0f - a), a * a);
     brdf_real p = brdf_asin_core(brdf_pick(outer, sqrtf(z), a), z);
-    return brdf_copysign(brdf_pick(outer, 1.57079637f - 2.0f * p, p), x);
+    return brdf_copysign(brdf_pick(outer, 1.57079637f - (2.0f * p + 4.37113900e-8f), p), x);
 }
 
 /*
- * The angle [rad] of the point (x, y), in [-pi, pi], with the sign of y; 0 at the origin. 4 ulp.
+ * The angle [rad] of the point (x, y), in [-pi, pi], with the sign of y; 0 at the origin. 2 ulp.
  * Finite x and y whose quotient of magnitudes is subnormal may count as lying on the axis.
  */
 static inline brdf_real brdf_atan2(brdf_real y, brdf_real x)

@@ -1,0 +1,31 @@
+/*
+ * real.h - constants, and what reads the bits of a number rather than its value.
+ */
+#ifndef BRDF_REAL_H
+#define BRDF_REAL_H
+
+#include "dialect.h"
+
+#define BRDF_PI 3.14159265f
+#define BRDF_TWO_PI 6.28318531f
+#define BRDF_1_PI 0.318309886f
+#define BRDF_TWO_OVER_PI 0.636619772f
+#define BRDF_SQRT_PI 1.77245385f
+#define BRDF_1_SQRT_PI 0.564189584f
+#define BRDF_ONE_MINUS_ULP 0.99999994f  /* the largest float below 1 */
+#define BRDF_LARGEST 3.40282347e+38f    /* the largest float */
+#define BRDF_SMALLEST 1.17549435e-38f   /* the smallest positive float that is not subnormal */
+#define BRDF_SIGN_BIT (-2147483647 - 1) /* of brdf_bits */
+
+static inline brdf_real brdf_sqr(brdf_real x)
+{
+    return x * x;
+}
+
+/* |magnitude| with the sign of x; a zero has a sign too. */
+static inline brdf_real brdf_copysign(brdf_real magnitude, brdf_real x)
+{
+    return brdf_from_bits((brdf_bits(magnitude) & ~BRDF_SIGN_BIT) | (brdf_bits(x) & BRDF_SIGN_BIT));
+}
+
+#endif
