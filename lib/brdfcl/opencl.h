@@ -1,0 +1,52 @@
+/*
+ * opencl.h - the OpenCL side of libbrdfcl, for its own files: an open device and what runs on it.
+ */
+#ifndef BRDFCL_LIB_OPENCL_H
+#define BRDFCL_LIB_OPENCL_H
+
+#define CL_TARGET_OPENCL_VERSION 120
+#include <CL/cl.h>
+
+#include <brdfcl/device.h>
+
+struct brdfcl_device {
+    cl_device_id id;
+    cl_context context;
+    cl_command_queue queue; /* in order */
+    int lanes;
+    struct brdfcl_device_info info;
+};
+
+/* Device `index` of all platforms together; 0 where there is none. */
+int opencl_device_at(int index, cl_platform_id *platform, cl_device_id *id);
+
+/* Fill in what the device says of itself. */
+void opencl_describe(cl_platform_id platform, cl_device_id id, struct brdfcl_device_info *info);
+
+/* The name of an OpenCL status, "CL_OUT_OF_RESOURCES". */
+const char *opencl_status_name(cl_int status);
+
+/* BRDF_OK where status is CL_SUCCESS; else the error says which call failed, how, and what helps.
+ */
+brdf_status opencl_check(cl_int status, const char *call, struct brdf_error *error);
+
+/*
+ * Build a program from text: quoted includes of shared headers and kernels are expanded, the lanes
+ * and the flags of bit-exactness are set; `options` adds to them. Build errors carry the compiler's
+ * log, whose places are those of the source files.
+ */
+brdf_status opencl_build(struct brdfcl_device *device, const char *text, const char *text_name,
+                         const char *options, cl_program *program, struct brdf_error *error);
+
+/*
+ * A buffer over host memory: the same bytes on a processor (no copy where the memory is aligned to
+ * 64 bytes), a copy elsewhere. The memory must outlive the buffer. Zero bytes give a small buffer.
+ */
+brdf_status opencl_buffer_over(struct brdfcl_device *device, const void *data, size_t bytes,
+                               cl_mem *buffer, struct brdf_error *error);
+
+/* A buffer of the device's own, for reading and writing by kernels. */
+brdf_status opencl_buffer(struct brdfcl_device *device, size_t bytes, cl_mem *buffer,
+                          struct brdf_error *error);
+
+#endif
