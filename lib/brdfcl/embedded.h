@@ -6,7 +6,8 @@
 
 #include <brdf/source.h>
 
-/* Every file under kernels, "kernels/film.cl", by name; then a NULL name. For brdf_source_expand. */
+/* Every file under kernels, "kernels/film.cl", by name; then a NULL name. For brdf_source_expand.
+ */
 extern const struct brdf_source_file brdfcl_embedded_files[];
 
 #endif
