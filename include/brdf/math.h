@@ -3,9 +3,8 @@
  *
  * The platforms' sin, exp and pow differ in the last bits, and so would every image. These do not:
  * they use only + - * /, sqrtf, floorf, comparisons and integers, in a fixed order, without
- * contraction. They are branch-free, finite for every argument in the stated domain, and neither
- * return nor rely on subnormal numbers (below 1.18e-38) where the argument is none: not every
- * device has them.
+ * contraction. They are branch-free, and finite for every argument in the stated domain. A
+ * device without subnormal numbers agrees as long as arguments are 0 or above 1e-30 in magnitude.
  *
  * "n ulp" bounds the error in units in the last place of the float nearest to the exact result, as
  * measured against a double-precision reference; tests/test_math.c holds each function to it. All

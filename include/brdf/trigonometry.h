@@ -16,8 +16,7 @@ static inline struct brdf_sincos brdf_sincos_turn(brdf_real sine, brdf_real cosi
                                                   brdf_int quadrant)
 {
     brdf_mask odd = (quadrant & 1) != 0;
-    /* Bit 1 of the quadrant, moved to the sign bit; unsigned, for C leaves the signed shift open.
-     */
+    /* Bit 1 of the quadrant becomes the sign; unsigned, for C leaves the signed shift open. */
     brdf_uint flip_sin = (brdf_uint_of(quadrant) & 2u) << 30;
     brdf_uint flip_cos = (brdf_uint_of(quadrant + 1) & 2u) << 30;
     struct brdf_sincos result;
@@ -122,7 +121,7 @@ static inline brdf_real brdf_asin(brdf_real x)
 
 /*
  * The angle [rad] of the point (x, y), in [-pi, pi], with the sign of y; 0 at the origin. 2 ulp.
- * Finite x and y whose quotient of magnitudes is subnormal may count as lying on the axis.
+ * A point whose smaller coordinate is below 1.18e-38 of the larger counts as lying on that axis.
  */
 static inline brdf_real brdf_atan2(brdf_real y, brdf_real x)
 {
@@ -132,6 +131,7 @@ static inline brdf_real brdf_atan2(brdf_real y, brdf_real x)
     brdf_real large = brdf_pick(steep, ay, ax);
     brdf_real small = brdf_pick(steep, ax, ay);
     brdf_real t = small / brdf_pick(large > 0.0f, large, 1.0f);
+    t = brdf_pick(t < BRDF_SMALLEST, 0.0f, t);
     brdf_real z = t * t;
     brdf_real p = -1.78281229e-3f;
     p = p * z + 1.08686602e-2f;
