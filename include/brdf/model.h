@@ -80,6 +80,7 @@ static inline brdf_parameters brdf_parameters_load(unsigned model, unsigned choi
 #include "models.h"
 #undef BRDF_MODEL
     default:
+        brdf_unpack(&p, 0, 0, choices, word); /* no such model: nothing to unpack */
         break;
     }
     return p;

@@ -22,10 +22,9 @@ struct brdf_metal {
 struct brdf_dielectric_substance {
     const char *name;
     float ior;
-    const char *source;
 };
 
-/* The metal or dielectric number i, in alphabetical order; NULL from their count on. */
+/* The metal or dielectric number i, in the order of their tables; NULL from their count on. */
 BRDF_API const struct brdf_metal *brdf_metal_at(int i);
 BRDF_API const struct brdf_dielectric_substance *brdf_dielectric_at(int i);
 

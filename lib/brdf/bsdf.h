@@ -1,0 +1,45 @@
+/*
+ * bsdf.h - what a bsdf is made of (internal).
+ */
+#ifndef BRDF_BSDF_H
+#define BRDF_BSDF_H
+
+#include <stddef.h>
+
+#include "brdf/info.h"
+#include "brdf/material.h"
+#include "brdf/model.h"
+
+struct brdf_bsdf {
+    struct brdf_material material;
+    brdf_parameters parameters; /* the material's, unpacked */
+    float *table;               /* NULL if the model has none; owned */
+    size_t table_words;
+    char *file; /* where the table came from, for descriptions; owned */
+};
+
+/* Where settings were written, so that an error can say it: `place` has a byte, from 0, for each.
+ */
+struct brdf_origin {
+    const char *description;
+    const size_t *place;
+};
+
+/* brdf_bsdf_create_from, with the origin of the settings or NULL. */
+brdf_status brdf_bsdf_build(const char *model, const struct brdf_setting *settings, size_t count,
+                            const struct brdf_origin *origin, struct brdf_bsdf **out,
+                            struct brdf_error *error);
+
+/*
+ * Put the settings into a bsdf that is all zeros, initial values first: material and file, but not
+ * yet the table. settings.c
+ */
+brdf_status brdf_settings_apply(struct brdf_bsdf *bsdf, const struct brdf_model_info *model,
+                                const struct brdf_setting *settings, size_t count,
+                                const struct brdf_origin *origin, struct brdf_error *error);
+
+/* Read the table of a tabulated model; *table is to be freed with free(). tables.c */
+brdf_status brdf_table_load(const struct brdf_model_info *model, const char *path, float **table,
+                            size_t *words, struct brdf_error *error);
+
+#endif
