@@ -6,8 +6,11 @@
 
 #include "real.h"
 
-/* exp(r) 2^n, for |r| <= 0.35 and a result that is neither subnormal nor above BRDF_LARGEST. */
-static inline brdf_real brdf_exp_scaled(brdf_real r, brdf_real n)
+/*
+ * exp(r) 2^n, for |r| <= 0.35 and a result that is neither subnormal nor above BRDF_LARGEST; n
+ * comes as n + BRDF_ROUNDER.
+ */
+static inline brdf_real brdf_exp_scaled(brdf_real r, brdf_real rounded)
 {
     brdf_real p = 1.38214696e-3f;
     p = p * r + 8.36866256e-3f;
@@ -15,8 +18,10 @@ static inline brdf_real brdf_exp_scaled(brdf_real r, brdf_real n)
     p = p * r + 1.66665211e-1f;
     p = p * r + 4.99999940e-1f;
     p = p * (r * r) + r + 1.0f;
-    /* Adding to the exponent instead of multiplying by 2^n, for 2^128 is not a float. */
-    return brdf_from_bits(brdf_bits(p) + brdf_to_int(n) * 0x800000);
+    /* Adding to the exponent instead of multiplying by 2^n, for 2^128 is not a float; the shift
+       leaves nothing of `rounded` but n. */
+    brdf_uint exponent = brdf_uint_of(brdf_bits(rounded)) << 23;
+    return brdf_from_bits(brdf_int_of(brdf_uint_of(brdf_bits(p)) + exponent));
 }
 
 /*
@@ -26,10 +31,11 @@ static inline brdf_real brdf_exp_scaled(brdf_real r, brdf_real n)
 static inline brdf_real brdf_exp(brdf_real x)
 {
     brdf_real inside = brdf_clamp(x, -87.3365402f, 88.7228317f);
-    brdf_real n = floorf(inside * 1.44269504f + 0.5f);
+    brdf_real rounded = inside * 1.44269504f + BRDF_ROUNDER;
+    brdf_real n = rounded - BRDF_ROUNDER;
     /* ln 2 in two pieces; the first has 10 bits, so that its product with n is exact. */
     brdf_real r = (inside - n * 0.693359375f) - n * -2.12194440e-4f;
-    return brdf_pick(x < -87.3365402f, 0.0f, brdf_exp_scaled(r, n));
+    return brdf_pick(x < -87.3365402f, 0.0f, brdf_exp_scaled(r, rounded));
 }
 
 struct brdf_split {
@@ -138,9 +144,10 @@ static inline brdf_real brdf_pow(brdf_real x, brdf_real y)
     brdf_mask over = total >= 128.0f;
     brdf_mask under = total < -126.0f;
     brdf_mask zero = x < BRDF_SMALLEST;
-    brdf_real n = floorf(brdf_clamp(total, -127.0f, 128.0f) + 0.5f);
+    brdf_real rounded = brdf_clamp(total, -127.0f, 128.0f) + BRDF_ROUNDER;
+    brdf_real n = rounded - BRDF_ROUNDER;
     brdf_real r = brdf_pick(over | under, 0.0f, (power.high - n) + low);
-    brdf_real result = brdf_exp_scaled(r * 0.693147181f, n);
+    brdf_real result = brdf_exp_scaled(r * 0.693147181f, rounded);
     result = brdf_pick(under, 0.0f, brdf_pick(over, BRDF_LARGEST, result));
     brdf_real at_zero = brdf_pick(y > 0.0f, 0.0f, brdf_pick(y < 0.0f, BRDF_LARGEST, 1.0f));
     return brdf_pick(zero, at_zero, result);

@@ -2,7 +2,7 @@
  * math.h - elementary functions, one text for every compiler.
  *
  * The platforms' sin, exp and pow differ in the last bits, and so would every image. These do not:
- * they use only + - * /, sqrtf, floorf, comparisons and integers, in a fixed order, without
+ * they use only + - * /, sqrtf, comparisons and integers, in a fixed order, without
  * contraction. They are branch-free, and finite for every argument in the stated domain. A
  * device without subnormal numbers agrees as long as arguments are 0 or above 1e-30 in magnitude.
  *

@@ -11,7 +11,8 @@ struct brdf_sincos {
     brdf_real cos;
 };
 
-/* From sine and cosine of the remainder to those of the angle, `quadrant` quarter turns further. */
+/* From sine and cosine of the remainder to those of the angle, `quadrant` quarter turns further; of
+   the quadrant only the low two bits count. */
 static inline struct brdf_sincos brdf_sincos_turn(brdf_real sine, brdf_real cosine,
                                                   brdf_int quadrant)
 {
@@ -26,14 +27,14 @@ static inline struct brdf_sincos brdf_sincos_turn(brdf_real sine, brdf_real cosi
 }
 
 /*
- * Sine and cosine of 2 pi u, for |u| < 2^28. 2 ulp: the reduction is exact, multiples of a quarter
+ * Sine and cosine of 2 pi u, for |u| <= 2^20. 2 ulp: the reduction is exact, multiples of a quarter
  * turn give exactly 0 and +-1. Prefer it to brdf_sincos wherever the angle is a fraction of a turn.
  */
 static inline struct brdf_sincos brdf_sincos_2pi(brdf_real u)
 {
     brdf_real quarters = 4.0f * u;
-    brdf_real n = floorf(quarters + 0.5f);
-    brdf_real r = quarters - n;
+    brdf_real rounded = quarters + BRDF_ROUNDER;
+    brdf_real r = quarters - (rounded - BRDF_ROUNDER);
     brdf_real z = r * r;
     /* sin(pi/2 r) and cos(pi/2 r) on [-1/2, 1/2]; pi/2 is 1.57079637 and what c0 adds. */
     brdf_real sine = -4.60011652e-3f;
@@ -46,7 +47,7 @@ static inline struct brdf_sincos brdf_sincos_2pi(brdf_real u)
     cosine = cosine * z + 2.53668547e-1f;
     cosine = cosine * z - 1.23370051f;
     cosine = cosine * z + 1.0f;
-    return brdf_sincos_turn(sine, cosine, brdf_to_int(n));
+    return brdf_sincos_turn(sine, cosine, brdf_bits(rounded));
 }
 
 /*
@@ -55,7 +56,8 @@ static inline struct brdf_sincos brdf_sincos_2pi(brdf_real u)
 static inline struct brdf_sincos brdf_sincos(brdf_real x)
 {
     brdf_real inside = brdf_clamp(x, -8192.0f, 8192.0f);
-    brdf_real n = floorf(inside * BRDF_TWO_OVER_PI + 0.5f);
+    brdf_real rounded = inside * BRDF_TWO_OVER_PI + BRDF_ROUNDER;
+    brdf_real n = rounded - BRDF_ROUNDER;
     /* pi/2 in pieces of 11 bits: n has 13, so the products are exact and only the last one rounds
        (Cody and Waite 1980, Software Manual for the Elementary Functions). */
     brdf_real r = (((inside - n * 1.5703125f) - n * 4.83751297e-4f) - n * 7.54953362e-8f) -
@@ -69,7 +71,7 @@ static inline struct brdf_sincos brdf_sincos(brdf_real x)
     cosine = cosine * z - 1.38873095e-3f;
     cosine = cosine * z + 4.16666456e-2f;
     cosine = cosine * (z * z) + (1.0f - 0.5f * z);
-    return brdf_sincos_turn(sine, cosine, brdf_to_int(n));
+    return brdf_sincos_turn(sine, cosine, brdf_bits(rounded));
 }
 
 static inline brdf_real brdf_sin(brdf_real x)
