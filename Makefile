@@ -71,12 +71,13 @@ once = $(eval $(1) := $(2))$($(1))
 # Their headers are theirs: -isystem keeps our warnings out of them.
 package_cflags = $(call once,package_cflags,$(patsubst -I%,-isystem %,$(call \
     answer,$(call ask,--cflags $(packages)))))
-# Of OpenEXR only the C core; of Embree (which has no .pc file) the version whose header is there.
+# Of OpenEXR the C core, and the library whose C interface reads what the core cannot; of Embree
+# (which has no .pc file) the version whose header is there.
 embree_version = $(call once,embree_version,$(shell echo '__has_include(<embree4/rtcore.h>)' | \
     $(CC) $(CPPFLAGS) -E -P -x c - 2>/dev/null | grep -q 1 && echo 4 || echo 3))
 package_libs = $(call once,package_libs,$(call answer,$(call \
     ask,--libs OpenCL libpng assimp expat)) \
-    $(filter -L% -lOpenEXRCore%,$(call ask,--libs OpenEXR)) -lembree$(embree_version) -lm)
+    $(filter -L% -lOpenEXR-% -lOpenEXRCore%,$(call ask,--libs OpenEXR)) -lembree$(embree_version) -lm)
 embree_cppflags = $(if $(filter 4,$(embree_version)),-DBRDFCL_EMBREE4)
 cmocka_cflags = $(call once,cmocka_cflags,$(patsubst -I%,-isystem %,$(call \
     answer,$(call ask,--cflags cmocka))))

@@ -38,4 +38,13 @@ brdf_status brdfcl_exr_fail(const struct exr_reader *reader, exr_result_t code,
  */
 brdf_status brdfcl_exr_read_header(struct exr_reader *reader, struct brdf_error *error);
 
+/*
+ * Copy a block of the planes, whose lines are as long as the block is wide, to where it is in the
+ * picture, as far as it is to be seen. x and y count from the corner of the data window.
+ */
+void brdfcl_exr_copy(struct exr_reader *reader, int x, int y, int width, int height);
+
+/* Read the pixels of a file of DWAA or DWAB compression whose header is read. */
+brdf_status brdfcl_exr_read_dwa(struct exr_reader *reader, struct brdf_error *error);
+
 #endif

@@ -80,21 +80,21 @@ static void point_channels(struct exr_reader *reader, int width)
     }
 }
 
-/* Copy a decoded chunk whose first pixel is x, y in the data window, as far as it is to be seen. */
-static void copy_chunk(struct exr_reader *reader, const exr_chunk_info_t *chunk, int x, int y)
+void brdfcl_exr_copy(struct exr_reader *reader, int x, int y, int width, int height)
 {
     struct brdfcl_image *image = reader->image;
-    for (int row = 0; row < chunk->height; row++) {
-        long long to_y = (long long)reader->data.min.y + y + row - reader->display.min.y;
+    const long long left = (long long)reader->data.min.x + x - reader->display.min.x;
+    const long long top = (long long)reader->data.min.y + y - reader->display.min.y;
+    for (int row = 0; row < height; row++) {
+        const long long to_y = top + row;
         if (to_y < 0 || to_y >= image->height)
             continue;
-        for (int column = 0; column < chunk->width; column++) {
-            long long to_x = (long long)reader->data.min.x + x + column - reader->display.min.x;
+        for (int column = 0; column < width; column++) {
+            const long long to_x = left + column;
             if (to_x < 0 || to_x >= image->width)
                 continue;
             float *to = image->rgb + (size_t)(to_y * image->width + to_x) * 3;
-            const float *from =
-                reader->planes + (size_t)row * (size_t)chunk->width + (size_t)column;
+            const float *from = reader->planes + (size_t)row * (size_t)width + (size_t)column;
             for (int i = 0; i < EXR_COLOURS; i++)
                 to[i] = from[(size_t)reader->plane[i] * reader->plane_size];
         }
@@ -117,10 +117,13 @@ static exr_result_t decode_chunk(struct exr_reader *reader, const exr_chunk_info
         return code;
     point_channels(reader, chunk->width);
     code = exr_decoding_choose_default_routines(reader->context, reader->part, pipeline);
+    /* What would not get smaller is stored as it is; OpenEXR 3.1 forgets so for B44. */
+    if (chunk->packed_size == chunk->unpacked_size)
+        pipeline->decompress_fn = NULL;
     if (code == EXR_ERR_SUCCESS)
         code = exr_decoding_run(reader->context, reader->part, pipeline);
     if (code == EXR_ERR_SUCCESS)
-        copy_chunk(reader, chunk, x, y);
+        brdfcl_exr_copy(reader, x, y, chunk->width, chunk->height);
     return code;
 }
 
@@ -174,6 +177,17 @@ static brdf_status read_tiles(struct exr_reader *reader, struct brdf_error *erro
     return BRDF_OK;
 }
 
+static brdf_status read_pixels(struct exr_reader *reader, struct brdf_error *error)
+{
+    exr_storage_t storage = EXR_STORAGE_SCANLINE;
+    exr_compression_t compression = EXR_COMPRESSION_NONE;
+    exr_get_storage(reader->context, reader->part, &storage);
+    exr_get_compression(reader->context, reader->part, &compression);
+    if (compression == EXR_COMPRESSION_DWAA || compression == EXR_COMPRESSION_DWAB)
+        return brdfcl_exr_read_dwa(reader, error);
+    return storage == EXR_STORAGE_TILED ? read_tiles(reader, error) : read_lines(reader, error);
+}
+
 brdf_status brdfcl_image_read_exr(struct brdfcl_image *image,
                                   const struct brdfcl_image_source *source,
                                   struct brdf_error *error)
@@ -192,16 +206,12 @@ brdf_status brdfcl_image_read_exr(struct brdfcl_image *image,
     exr_result_t code = exr_start_read(&reader.context, source->path, &callbacks);
     if (code != EXR_ERR_SUCCESS)
         return brdfcl_exr_fail(&reader, code, error);
-    exr_storage_t storage = EXR_STORAGE_SCANLINE;
     brdf_status status = brdfcl_exr_read_header(&reader, error);
     if (status == BRDF_OK)
         status = brdfcl_image_create(image, reader.display.max.x - reader.display.min.x + 1,
                                      reader.display.max.y - reader.display.min.y + 1, error);
-    if (status == BRDF_OK) {
-        exr_get_storage(reader.context, reader.part, &storage);
-        status =
-            storage == EXR_STORAGE_TILED ? read_tiles(&reader, error) : read_lines(&reader, error);
-    }
+    if (status == BRDF_OK)
+        status = read_pixels(&reader, error);
     if (reader.pipeline_ready)
         exr_decoding_destroy(reader.context, &reader.pipeline);
     exr_finish(&reader.context);

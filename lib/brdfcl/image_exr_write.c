@@ -24,6 +24,7 @@ struct exr_writer {
     exr_context_t context;
     exr_encode_pipeline_t pipeline;
     int pipeline_ready;
+    exr_result_t (*write_chunk)(exr_encode_pipeline_t *); /* OpenEXR's own */
     int part;
     float *rows;        /* half only: the lines of a chunk, within the range of half */
     brdf_status status; /* of the last write: error is filled in if it is not BRDF_OK */
@@ -116,6 +117,20 @@ static const float *chunk_rows(struct exr_writer *writer, const exr_chunk_info_t
     return writer->rows;
 }
 
+/*
+ * OpenEXR 3.1 stores a chunk that does not get smaller as it is, and so readers take what is as
+ * large as the pixels for the pixels; but if the compressed chunk is exactly that large, it stores
+ * that.
+ */
+static exr_result_t write_chunk(exr_encode_pipeline_t *pipeline)
+{
+    const struct exr_writer *writer = pipeline->encoding_user_data;
+    if (pipeline->compressed_bytes == pipeline->packed_bytes &&
+        pipeline->compressed_buffer != pipeline->packed_buffer)
+        memcpy(pipeline->compressed_buffer, pipeline->packed_buffer, pipeline->packed_bytes);
+    return writer->write_chunk(pipeline);
+}
+
 static exr_result_t put_chunk(struct exr_writer *writer, const exr_chunk_info_t *chunk)
 {
     exr_encode_pipeline_t *pipeline = &writer->pipeline;
@@ -137,8 +152,12 @@ static exr_result_t put_chunk(struct exr_writer *writer, const exr_chunk_info_t 
         channel->encode_from_ptr = (const uint8_t *)(rows + (COLOURS - 1 - c));
     }
     code = exr_encoding_choose_default_routines(writer->context, writer->part, pipeline);
-    return code == EXR_ERR_SUCCESS ? exr_encoding_run(writer->context, writer->part, pipeline)
-                                   : code;
+    if (code != EXR_ERR_SUCCESS)
+        return code;
+    writer->write_chunk = pipeline->write_fn;
+    pipeline->write_fn = write_chunk;
+    pipeline->encoding_user_data = writer;
+    return exr_encoding_run(writer->context, writer->part, pipeline);
 }
 
 static exr_result_t put_pixels(struct exr_writer *writer)

@@ -16,8 +16,9 @@
 
 #include <png.h>
 
-#define IHDR_END 24 /* bytes up to and with width and height: signature, length, type, two words   \
-                     */
+#define IHDR_END                                                                                   \
+    24 /* bytes up to and with width and height: signature, length, type, two words                \
+        */
 
 struct png_job {
     png_structp png;
