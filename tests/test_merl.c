@@ -269,8 +269,7 @@ static void other_things_than_files_are_refused(void **state)
     assert_int_equal(mkfifo(place->path, 0600), 0);
     expect_refusal(place->path, BRDF_IO, "a pipe"); /* and does not wait for a writer */
     struct brdf_merl_file file;
-    assert_int_equal(brdf_merl_read(NULL, BRDF_MERL_INVALID_FILL, &file, NULL),
-                     BRDF_BAD_ARGUMENT);
+    assert_int_equal(brdf_merl_read(NULL, BRDF_MERL_INVALID_FILL, &file, NULL), BRDF_BAD_ARGUMENT);
     assert_int_equal(brdf_merl_read(place->path, BRDF_MERL_INVALID_FILL, NULL, NULL),
                      BRDF_BAD_ARGUMENT);
 }
