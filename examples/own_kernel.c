@@ -3,8 +3,8 @@
  * own_kernel.c - the shared source in a kernel of your own, and the same bits as in C.
  *
  * brdf_source_expand puts the headers that the kernel includes into its text, so neither files nor
- * include paths are needed where the program runs. For the same bits, C must not contract a * b + c to
- * one operation either: -ffp-contract=off, or -std=c99 with gcc.
+ * include paths are needed where the program runs. For the same bits, C must not contract
+ * a * b + c to one operation either: -ffp-contract=off, or -std=c99 with gcc.
  */
 #define CL_TARGET_OPENCL_VERSION 120
 #include <stdio.h>
