@@ -6,6 +6,7 @@
 
 #include "info.h"
 #include "material.h"
+#include "merl.h"
 #include "source.h"
 #include "status.h"
 #include "substance.h"
