@@ -72,6 +72,10 @@ static inline brdf_parameters brdf_parameters_load(unsigned model, unsigned choi
                                                    BRDF_GLOBAL const float *word)
 {
     brdf_parameters p;
+    /* The members of one model do not fill the union, and compilers warn of copying the rest. */
+    for (unsigned i = 0; i < sizeof p / sizeof(int); ++i) {
+        ((int *)(void *)&p)[i] = 0;
+    }
     switch (model) {
 #define BRDF_MODEL(name, NAME, flags, summary, reference)                                          \
     case BRDF_MODEL_##NAME:                                                                        \
@@ -80,7 +84,6 @@ static inline brdf_parameters brdf_parameters_load(unsigned model, unsigned choi
 #include "models.h"
 #undef BRDF_MODEL
     default:
-        brdf_unpack(&p, 0, 0, choices, word); /* no such model: nothing to unpack */
         break;
     }
     return p;
