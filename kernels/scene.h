@@ -36,6 +36,20 @@ enum pt_shading_word {
     PT_UVS = 9      /* 6 words: texture coordinates of the vertices */
 };
 
+/*
+ * The primitives once more, made ready for intersection (intersect.h), a row each: what a packet of
+ * rays goes through where there are few of them. Planar ones hold their pt_plane; spheres their
+ * centre and radius.
+ */
+enum pt_ready_word {
+    PT_READY_P = 0,       /* 3 words */
+    PT_READY_N = 3,       /* 3 words; of a sphere: its radius, 0, 0 */
+    PT_READY_A = 6,       /* 3 words */
+    PT_READY_B = 9,       /* 3 words */
+    PT_READY_KIND = 12,   /* int */
+    PT_READY_SURFACE = 13 /* int */
+};
+
 /* A light, a row each: a primitive that emits, or the environment (kind -1). */
 enum pt_light_word {
     PT_LIGHT_KIND = 9, /* words 0 to 8 as in the primitive; int: kind, or -1 for the environment */
@@ -90,6 +104,7 @@ struct pt_settings {
     /* Where the parts begin, in words of the scene array, and how many records they hold. */
     int primitives;
     int primitive_count;
+    int ready; /* the primitives made ready; only where there is no hierarchy */
     int shading;
     int surfaces;
     int surface_count;
@@ -101,18 +116,32 @@ struct pt_settings {
     int leaves;
     int root;
 
-    /* Environment. */
-    float environment_radiance[3]; /* constant */
-    float environment_pdf;         /* probability of choosing the environment as the light */
-    float environment_to_local[9]; /* rows of the rotation world -> map */
-    float environment_to_world[9];
-    int environment_width;
+    /* Environment: a constant, or a map (environment.h). */
+    float environment_radiance[3];
+    float environment_select;      /* probability of choosing it as the light */
+    float environment_to_world[9]; /* rotation, row-major: map -> world; its transpose goes back */
+    int environment_width;         /* pixels */
     int environment_height;
     int environment_texels;  /* 4 words each: r, g, b, unused */
-    int environment_rows;    /* CDF over rows: height + 1 words */
-    int environment_columns; /* a CDF a row: height x (width + 1) words */
+    int environment_rows;    /* CDF over the height - 1 rows of cells: height words */
+    int environment_columns; /* a CDF for each row of cells: (height - 1) x (width + 1) words */
     int environment_row_steps;
     int environment_column_steps;
+
+    /* Where the queues lie, in words of the queue array (path.h). */
+    int active[2];      /* path numbers to extend now, and next */
+    int keys;           /* the surface that each active path met */
+    int histograms;     /* a count a surface for each block that sorts */
+    int packet_surface; /* for each packet, grouped by variant */
+    int packet_paths;   /* BRDF_LANES path numbers for each packet */
+    int variant_first;  /* first packet of each variant */
+    int variant_count;
+    int pool; /* paths in flight; the record behind the last is scratch for idle lanes */
+
+    /* Where the parts of the state array begin, in words; paths are at 0. */
+    int radiance;
+    int shadows;
+    int queues;
 };
 
 #endif

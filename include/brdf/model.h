@@ -47,6 +47,7 @@ struct brdf_material {
 };
 
 union brdf_parameters {
+    brdf_real first;
 #define BRDF_MODEL(name, NAME, flags, summary, reference) struct brdf_##name name;
 #include "models.h"
 #undef BRDF_MODEL
@@ -71,11 +72,7 @@ static inline void brdf_unpack(void *parameters, int choice_count, int word_coun
 static inline brdf_parameters brdf_parameters_load(unsigned model, unsigned choices,
                                                    BRDF_GLOBAL const float *word)
 {
-    brdf_parameters p;
-    /* The members of one model do not fill the union, and compilers warn of copying the rest. */
-    for (unsigned i = 0; i < sizeof p / sizeof(int); ++i) {
-        ((int *)(void *)&p)[i] = 0;
-    }
+    brdf_parameters p = {0.0f}; /* one model's members do not fill the union */
     switch (model) {
 #define BRDF_MODEL(name, NAME, flags, summary, reference)                                          \
     case BRDF_MODEL_##NAME:                                                                        \

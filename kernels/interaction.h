@@ -1,0 +1,125 @@
+/*
+ * interaction.h - what a path meets: the place on a primitive, its normals and tangent.
+ */
+#ifndef PT_INTERACTION_H
+#define PT_INTERACTION_H
+
+#include "intersect.h"
+#include "path.h"
+
+/* A primitive in every lane, as loaded from its record. */
+struct pt_primitive {
+    brdf_vec3 p;
+    brdf_vec3 e1;
+    brdf_vec3 e2;
+    brdf_int kind;
+    brdf_int shading;
+    brdf_real flip;
+    brdf_real radius;
+    brdf_real light_pdf;
+};
+
+struct pt_interaction {
+    brdf_vec3 p;      /* the point, world space */
+    brdf_vec3 ng;     /* geometric normal, unit, on the side that the shape faces */
+    brdf_frame frame; /* shading frame */
+};
+
+static inline struct pt_primitive pt_load_primitive(struct pt_world w, brdf_int number)
+{
+    BRDF_GLOBAL const float *words = w.scene + w.settings->primitives;
+    brdf_int row = number * PT_ROW;
+    struct pt_quad q0 = pt_load_quad(words, row);
+    struct pt_quad q1 = pt_load_quad(words, row + 4);
+    struct pt_quad q2 = pt_load_quad(words, row + 8);
+    struct pt_quad q3 = pt_load_quad(words, row + 12);
+    struct pt_primitive primitive;
+    primitive.p = pt_quad_vec3(q0);
+    primitive.e1 = brdf_vec3_make(q0.d, q1.a, q1.b);
+    primitive.e2 = brdf_vec3_make(q1.c, q1.d, q2.a);
+    primitive.kind = brdf_bits(q2.b);
+    primitive.shading = brdf_bits(q2.d);
+    primitive.flip = q3.a;
+    primitive.radius = q3.b;
+    primitive.light_pdf = q3.c;
+    return primitive;
+}
+
+/* Vertex normals and texture coordinates of triangles that have them: a smooth frame. */
+static inline brdf_frame pt_triangle_frame(struct pt_world w, struct pt_primitive primitive,
+                                           brdf_real u, brdf_real v, brdf_frame flat)
+{
+    brdf_mask has = primitive.shading >= 0;
+    BRDF_GLOBAL const float *words = w.scene + w.settings->shading;
+    brdf_int row = brdf_pick_int(has, primitive.shading, 0) * PT_ROW;
+    struct pt_quad q0 = pt_load_quad(words, row);
+    struct pt_quad q1 = pt_load_quad(words, row + 4);
+    struct pt_quad q2 = pt_load_quad(words, row + 8);
+    struct pt_quad q3 = pt_load_quad(words, row + 12);
+    brdf_real rest = 1.0f - u - v;
+    brdf_vec3 n =
+        brdf_vec3_make(q0.a * rest + q0.d * u + q1.c * v, q0.b * rest + q1.a * u + q1.d * v,
+                       q0.c * rest + q1.b * u + q2.a * v);
+    /* Along growing u of the texture: solve e1, e2 for it over the differences of (u, v). */
+    brdf_real du1 = q2.d - q2.b;
+    brdf_real dv1 = q3.a - q2.c;
+    brdf_real du2 = q3.b - q2.b;
+    brdf_real dv2 = q3.c - q2.c;
+    brdf_real determinant = du1 * dv2 - dv1 * du2;
+    brdf_vec3 tangent = brdf_sub(brdf_scale(primitive.e1, dv2), brdf_scale(primitive.e2, dv1));
+    tangent = brdf_scale(tangent, brdf_pick(determinant < 0.0f, -1.0f, 1.0f));
+    tangent = brdf_vec3_pick((determinant > 0.0f) | (determinant < 0.0f), tangent,
+                             brdf_vec3_make(0.0f, 0.0f, 0.0f));
+    brdf_frame smooth = brdf_frame_from_tangent(brdf_normalize(n), tangent);
+    brdf_frame frame;
+    frame.s = brdf_vec3_pick(has, smooth.s, flat.s);
+    frame.t = brdf_vec3_pick(has, smooth.t, flat.t);
+    frame.n = brdf_vec3_pick(has, smooth.n, flat.n);
+    return frame;
+}
+
+static inline struct pt_interaction pt_interact(struct pt_world w, struct pt_primitive primitive,
+                                                struct pt_ray ray, struct pt_quad hit)
+{
+    BRDF_GLOBAL const struct pt_settings *settings = w.settings;
+    struct pt_interaction at;
+    brdf_vec3 across = brdf_cross(primitive.e1, primitive.e2);
+    /* On the plane, not along the ray: its error does not grow with the distance. */
+    at.p = brdf_add(primitive.p,
+                    brdf_add(brdf_scale(primitive.e1, hit.b), brdf_scale(primitive.e2, hit.c)));
+    at.ng = brdf_scale(brdf_normalize(across), primitive.flip);
+    brdf_vec3 tangent = primitive.e1;
+    brdf_vec3 radial = brdf_sub(at.p, primitive.p);
+    tangent = brdf_vec3_pick(primitive.kind == PT_DISK, radial, tangent);
+    /* A flat triangle has no tangent of its own: any will do, and the zero vector asks for it. */
+    tangent =
+        brdf_vec3_pick(primitive.kind == PT_TRIANGLE, brdf_vec3_make(0.0f, 0.0f, 0.0f), tangent);
+    if (PT_HAS(settings, PT_HAS_SPHERES)) {
+        brdf_mask sphere = primitive.kind == PT_SPHERE;
+        brdf_vec3 out =
+            brdf_normalize(brdf_sub(brdf_add(ray.o, brdf_scale(ray.d, hit.a)), primitive.p));
+        brdf_vec3 on_sphere = brdf_add(primitive.p, brdf_scale(out, primitive.radius));
+        at.p = brdf_vec3_pick(sphere, on_sphere, at.p);
+        at.ng = brdf_vec3_pick(sphere, brdf_scale(out, primitive.flip), at.ng);
+        tangent = brdf_vec3_pick(sphere, brdf_cross(across, out), tangent);
+    }
+    at.frame = brdf_frame_from_tangent(at.ng, tangent);
+    if (PT_HAS(settings, PT_HAS_SHADING)) {
+        at.frame = pt_triangle_frame(w, primitive, hit.b, hit.c, at.frame);
+    }
+    return at;
+}
+
+/*
+ * Where a ray leaves the surface: moved along the geometric normal, to the side it goes to, by what
+ * rounding may have moved the point, so that it cannot meet the surface again.
+ */
+static inline brdf_vec3 pt_leave(struct pt_interaction at, brdf_vec3 direction)
+{
+    brdf_real largest = brdf_max(brdf_max(fabsf(at.p.x), fabsf(at.p.y)), fabsf(at.p.z));
+    brdf_real distance = (1.0f + largest) * 5e-5f;
+    distance = brdf_pick(brdf_dot(at.ng, direction) < 0.0f, -distance, distance);
+    return brdf_add(at.p, brdf_scale(at.ng, distance));
+}
+
+#endif

@@ -1,0 +1,171 @@
+/*
+ * shade.h - stage 4: what happens where a path met a surface, or nothing.
+ *
+ * reads: a packet of paths that met the same surface, with their hits; writes: the radiance found
+ * there, a shadow ray for next-event estimation, and the path's next ray (active queue).
+ *
+ * The model, its flags and its choices are constants of each specialised kernel, so that the
+ * dispatch in brdf/model.h folds away.
+ */
+#ifndef PT_SHADE_H
+#define PT_SHADE_H
+
+#include "brdf/surface.h"
+#include "light.h"
+
+/* What the kernels of a variant have in common; constants there. */
+struct pt_variant {
+    unsigned model;
+    unsigned flags;
+    unsigned choices;
+    int number;
+};
+
+/* The random number sets of a bounce; set 0 is the camera's. */
+#define PT_SETS_PER_BOUNCE 2
+
+static inline BRDF_GLOBAL const struct pt_surface *pt_surface_at(struct pt_world w, int number)
+{
+    BRDF_GLOBAL const void *surfaces = w.scene + w.settings->surfaces;
+    return (BRDF_GLOBAL const struct pt_surface *)surfaces + number;
+}
+
+/* Append the paths of the lanes in the mask to the queue of the next bounce. */
+static inline void pt_continue(struct pt_world w, brdf_int path, brdf_mask alive, int depth)
+{
+    int next = (depth + 1) & 1;
+    union pt_lanes alive_lanes = pt_lanes_of(alive);
+    union pt_lanes path_lanes = pt_lanes_of(path);
+    int place = pt_claim(w.queues + PT_ACTIVE + next, pt_count_lanes(alive));
+    BRDF_GLOBAL int *queue = w.queues + w.settings->active[next];
+    for (int k = 0; k < BRDF_LANES; ++k) {
+        if (alive_lanes.lane[k]) {
+            queue[place] = path_lanes.lane[k];
+            ++place;
+        }
+    }
+}
+
+/* Append a shadow ray for each lane in the mask. */
+static inline void pt_ask_shadow(struct pt_world w, brdf_int path, brdf_mask asks, brdf_vec3 origin,
+                                 struct pt_light_sample light, brdf_rgb radiance)
+{
+    union pt_lanes ask_lanes = pt_lanes_of(asks);
+    union pt_lanes places;
+    int place = pt_claim(w.queues + PT_SHADOWS, pt_count_lanes(asks));
+    for (int k = 0; k < BRDF_LANES; ++k) {
+        int asking = ask_lanes.lane[k] != 0;
+        places.lane[k] = asking ? place : w.settings->pool;
+        place += asking;
+    }
+    brdf_int record = places.v * PT_SHADOW_WORDS;
+    pt_store_quad(w.shadows, record + PT_SHADOW_ORIGIN, pt_quad_of_vec3(origin, light.length));
+    pt_store_quad(w.shadows, record + PT_SHADOW_DIRECTION,
+                  pt_quad_of_vec3(light.wi, brdf_from_bits(path)));
+    pt_store_quad(w.shadows, record + PT_SHADOW_RADIANCE, pt_quad_of_rgb(radiance, 0.0f));
+}
+
+/* The radiance that the surface emits itself towards the ray, weighted against next-event
+   estimation, which might have found it as well. */
+static inline void pt_shade_emission(struct pt_world w,
+                                     BRDF_GLOBAL const struct pt_surface *surface, brdf_int path,
+                                     struct pt_primitive primitive, struct pt_interaction at,
+                                     struct pt_ray ray, struct pt_quad hit, brdf_rgb throughput,
+                                     brdf_real pdf)
+{
+    brdf_rgb emitted =
+        brdf_rgb_make(surface->radiance[0], surface->radiance[1], surface->radiance[2]);
+    brdf_real light_pdf = pt_light_density(w.settings, primitive, ray, hit.a);
+    brdf_real weight = brdf_pick(pdf < 0.0f, 1.0f, pt_mis(pdf, light_pdf));
+    weight = brdf_pick(brdf_dot(at.ng, ray.d) < 0.0f, weight, 0.0f);
+    pt_add_radiance(w, path, brdf_rgb_scale(brdf_rgb_mul(throughput, emitted), weight));
+}
+
+/* Paths that met nothing gain what comes from the environment, and end. */
+static inline void pt_shade_missed(struct pt_world w, int packet)
+{
+    brdf_int path = pt_load_ints(w.queues + w.settings->packet_paths + packet * BRDF_LANES);
+    brdf_int record = path * PT_PATH_WORDS;
+    struct pt_quad origin = pt_load_quad(w.paths, record + PT_PATH_ORIGIN);
+    struct pt_quad direction = pt_load_quad(w.paths, record + PT_PATH_DIRECTION);
+    struct pt_quad throughput = pt_load_quad(w.paths, record + PT_PATH_THROUGHPUT);
+    brdf_real light_pdf;
+    brdf_rgb radiance = pt_environment_radiance(w, pt_quad_vec3(direction), &light_pdf);
+    brdf_real weight = brdf_pick(origin.d < 0.0f, 1.0f, pt_mis(origin.d, light_pdf));
+    pt_add_radiance(w, path,
+                    brdf_rgb_scale(brdf_rgb_mul(pt_quad_rgb(throughput), radiance), weight));
+}
+
+/* Russian roulette: the factor of the throughput, 0 where the path ends. As in Mitsuba 3. */
+static inline brdf_real pt_roulette(brdf_rgb throughput, brdf_real eta, brdf_real u)
+{
+    brdf_real survive = brdf_min(brdf_rgb_largest(throughput) * eta * eta, 0.95f);
+    return brdf_pick(u < survive, 1.0f / brdf_max(survive, 1e-6f), 0.0f);
+}
+
+static inline void pt_shade(struct pt_world w, struct pt_pass pass, struct pt_variant variant,
+                            int packet, int depth)
+{
+    BRDF_GLOBAL const struct pt_settings *settings = w.settings;
+    BRDF_GLOBAL const struct pt_surface *surface =
+        pt_surface_at(w, w.queues[settings->packet_surface + packet]);
+    brdf_int path = pt_load_ints(w.queues + settings->packet_paths + packet * BRDF_LANES);
+    brdf_int record = path * PT_PATH_WORDS;
+    struct pt_quad origin = pt_load_quad(w.paths, record + PT_PATH_ORIGIN);
+    struct pt_quad direction = pt_load_quad(w.paths, record + PT_PATH_DIRECTION);
+    struct pt_quad hit = pt_load_quad(w.paths, record + PT_PATH_HIT_T);
+    brdf_rgb throughput = pt_quad_rgb(pt_load_quad(w.paths, record + PT_PATH_THROUGHPUT));
+    brdf_mask used = path < settings->pool;
+
+    struct pt_ray ray;
+    ray.o = pt_quad_vec3(origin);
+    ray.d = pt_quad_vec3(direction);
+    struct pt_primitive primitive = pt_load_primitive(w, brdf_pick_int(used, brdf_bits(hit.d), 0));
+    struct pt_interaction at = pt_interact(w, primitive, ray, hit);
+    if (surface->emits) {
+        pt_shade_emission(w, surface, path, primitive, at, ray, hit, throughput, origin.d);
+    }
+    if (depth + 1 >= settings->max_depth) {
+        return;
+    }
+
+    brdf_parameters p =
+        brdf_parameters_load(variant.model, variant.choices, surface->material.word);
+    BRDF_GLOBAL const float *table = w.tables + surface->material.table;
+    brdf_vec3 wo = brdf_to_local(at.frame, brdf_negate(ray.d));
+    int set = 1 + PT_SETS_PER_BOUNCE * depth;
+    struct pt_random choose = pt_path_random(w, pass, path, set);
+    struct pt_random place = pt_path_random(w, pass, path, set + 1);
+
+    int lights = PT_HAS(settings, PT_HAS_LIGHTS | PT_HAS_CONSTANT | PT_HAS_MAP) != 0;
+    if (lights & !(variant.flags & BRDF_DELTA)) {
+        struct pt_light_sample light = pt_sample_light(w, at.p, choose.a, place.a, place.b);
+        brdf_vec3 wi = brdf_to_local(at.frame, light.wi);
+        brdf_rgb f = brdf_surface_eval(variant.model, variant.flags, p, wo, wi, table);
+        brdf_real pdf = brdf_surface_pdf(variant.model, variant.flags, p, wo, wi, table);
+        brdf_mask possible = used & (light.pdf > 0.0f);
+        brdf_real scale =
+            fabsf(wi.z) * pt_mis(light.pdf, pdf) / brdf_pick(possible, light.pdf, 1.0f);
+        brdf_rgb radiance =
+            brdf_rgb_scale(brdf_rgb_mul(brdf_rgb_mul(throughput, f), light.radiance), scale);
+        pt_ask_shadow(w, path, possible & (brdf_rgb_largest(radiance) > 0.0f),
+                      pt_leave(at, light.wi), light, radiance);
+    }
+
+    struct brdf_sample s = brdf_surface_sample(variant.model, variant.flags, p, wo,
+                                               brdf_vec3_make(place.c, place.d, choose.b), table);
+    throughput = brdf_rgb_mul(throughput, s.weight);
+    brdf_real eta = direction.d * s.eta;
+    if (depth + 1 >= settings->rr_depth) {
+        throughput = brdf_rgb_scale(throughput, pt_roulette(throughput, eta, choose.c));
+    }
+    brdf_vec3 next = brdf_normalize(brdf_to_world(at.frame, s.wi));
+    brdf_real pdf = brdf_pick(s.delta, -1.0f, s.pdf);
+    brdf_mask alive = used & (s.pdf > 0.0f) & (brdf_rgb_largest(throughput) > 0.0f);
+    pt_store_quad(w.paths, record + PT_PATH_ORIGIN, pt_quad_of_vec3(pt_leave(at, next), pdf));
+    pt_store_quad(w.paths, record + PT_PATH_DIRECTION, pt_quad_of_vec3(next, eta));
+    pt_store_quad(w.paths, record + PT_PATH_THROUGHPUT, pt_quad_of_rgb(throughput, 0.0f));
+    pt_continue(w, path, alive, depth);
+}
+
+#endif
