@@ -77,7 +77,8 @@ embree_version = $(call once,embree_version,$(shell echo '__has_include(<embree4
     $(CC) $(CPPFLAGS) -E -P -x c - 2>/dev/null | grep -q 1 && echo 4 || echo 3))
 package_libs = $(call once,package_libs,$(call answer,$(call \
     ask,--libs OpenCL libpng assimp expat)) \
-    $(filter -L% -lOpenEXR-% -lOpenEXRCore%,$(call ask,--libs OpenEXR)) -lembree$(embree_version) -lm)
+    $(filter -L% -lOpenEXR -lOpenEXR-% -lOpenEXRCore%,$(call ask,--libs OpenEXR)) \
+    -lembree$(embree_version) -lm)
 embree_cppflags = $(if $(filter 4,$(embree_version)),-DBRDFCL_EMBREE4)
 cmocka_cflags = $(call once,cmocka_cflags,$(patsubst -I%,-isystem %,$(call \
     answer,$(call ask,--cflags cmocka))))
@@ -154,10 +155,10 @@ run-tests: all $(test_programs) $(example_programs)
 
 # Who may see whose headers: arrows point down, cli -> libbrdfcl -> libbrdf.
 $(BUILD)/obj/lib/brdf/%.o: includes = -Ilib/brdf
-$(BUILD)/obj/lib/brdfcl/%.o: includes = -Ilib/brdfcl -Ikernels $(package_cflags) $(embree_cppflags)
+$(BUILD)/obj/lib/brdfcl/%.o: includes = -I. -Ilib/brdfcl -Ikernels $(package_cflags) $(embree_cppflags)
 $(BUILD)/obj/cli/%.o: includes = -Icli -Ibench
 $(BUILD)/obj/bench/%.o: includes = -Ibench -Icli
-$(BUILD)/obj/tests/%.o: includes = -Itests -Ilib/brdf -Ilib/brdfcl -Ikernels $(cmocka_cflags) \
+$(BUILD)/obj/tests/%.o: includes = -I. -Itests -Ilib/brdf -Ilib/brdfcl -Ikernels $(cmocka_cflags) \
     $(package_cflags) $(embree_cppflags)
 
 compile = @mkdir -p $(@D) && echo "  cc      $<" && $(CC) -Iinclude $(includes) $(CPPFLAGS) \

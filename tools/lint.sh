@@ -64,11 +64,10 @@ FNR == 1 { in_comment = 0 }
     if (word("double")) broken("no double")
     if (has_bare_literal()) broken("a floating literal ends in f")
     if (word("goto")) broken("no goto")
-    if (!dialect && code ~ /(^|[^A-Za-z0-9_])static[^A-Za-z0-9_]/ &&
-        code !~ /static inline/) broken("no static data; functions are static inline")
-    if (word("size_t|bool|long|short|half")) {
-        if (!(FILENAME ~ /\.cl$/ && word("size_t"))) broken("only int, unsigned and float")
-    }
+    kernel = FILENAME ~ /\.cl$/
+    if (!dialect && code ~ /(^|[^A-Za-z0-9_])static[^A-Za-z0-9_]/ && code !~ /static inline/ &&
+        !(kernel && code ~ /^static [^=[]*\(/)) broken("no static data; functions are static inline")
+    if (word("bool|long") || (word("size_t") && !kernel)) broken("only int, unsigned and float")
     if (call("(sin|cos|tan|asin|acos|atan|atan2|sinh|cosh|tanh|exp|exp2|expm1|log|log2|log10|log1p" \
              "|pow|erf|erfc|tgamma|lgamma|cbrt|hypot|fmod|remainder|ldexp|frexp|fma|fmin|fmax|fdim" \
              "|ceil|round|trunc|rint|nearbyint|copysign|sqrt|fabs|floor)l?") && !dialect)
@@ -80,8 +79,8 @@ FNR == 1 { in_comment = 0 }
     if (call("(native|half)_[a-z0-9]+") ||
         call("mad|rsqrt|cross|dot|normalize|length|distance|mix|clamp|smoothstep|step|sign"))
         broken("OpenCL alone has this function: C cannot follow")
-    if (!dialect && code ~ /__OPENCL|__kernel|__global|__constant|__local/ && FILENAME !~ /\.cl$/)
-        broken("only dialect.h and the .cl files know about OpenCL")
+    if (!dialect && FILENAME ~ /^include/ && code ~ /__OPENCL|__kernel|__global|__constant|__local/)
+        broken("of the shared headers, only dialect.h asks which compiler reads it")
     if (!dialect && code ~ /#[ ]*include[ ]*</) broken("an angle include is for the host alone")
 }
 END { exit count > 0 }

@@ -168,7 +168,7 @@ static brdf_status format_by_suffix(const struct image_format **format, const ch
 
 brdf_status brdfcl_image_path_check(const char *path, struct brdf_error *error)
 {
-    const struct image_format *format;
+    const struct image_format *format = NULL;
     brdf_status status = format_by_suffix(&format, path, error);
     return status != BRDF_OK ? status : brdfcl_atomic_check(path, error);
 }
@@ -227,7 +227,7 @@ brdf_status brdfcl_image_write(const struct brdfcl_image *image, const char *pat
                                const struct brdfcl_image_options *options, struct brdf_error *error)
 {
     static const struct brdfcl_image_options plain = {0, 0.0f, NULL, 0};
-    const struct image_format *format;
+    const struct image_format *format = NULL;
     struct brdfcl_atomic_file file;
     options = options ? options : &plain;
     brdf_status status = format_by_suffix(&format, path, error);
