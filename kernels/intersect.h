@@ -17,34 +17,81 @@ struct pt_ray {
     brdf_vec3 d; /* direction, unit */
 };
 
-/* A distance of PT_MISS_T or more means no hit; then u and v are finite but mean nothing. */
+/* A distance of PT_MISS_T or more means no hit; then u and v mean nothing. */
 struct pt_distance {
     brdf_real t; /* along the ray, world units */
     brdf_real u; /* planar: the coordinates on it; sphere: 0 */
     brdf_real v;
 };
 
-/* A triangle, rectangle or disk [Moeller and Trumbore 1997], both sides, at t > 0. */
-static inline struct pt_distance pt_planar_distance(struct pt_ray ray, brdf_vec3 p, brdf_vec3 e1,
-                                                    brdf_vec3 e2, brdf_int kind)
+/*
+ * A triangle, rectangle or disk made ready. x - p = u e1 + v e2 on its plane, and the dual vectors
+ * a and b read the coordinates off: u = (x - p) . a, v = (x - p) . b [Baldwin and Weber 2016].
+ *
+ * Why not Moeller and Trumbore: for a ray that grazes the plane their u, v and t come from three
+ * quotients of rounding errors, and may report a hit of something that the ray passes far away.
+ * Here u and v belong to a point of the ray itself, so that the ray does pass the primitive to a
+ * few units in the last place of t and size; the hierarchy (bvh.h) relies on it.
+ */
+struct pt_plane {
+    brdf_vec3 p;
+    brdf_vec3 n; /* normal, largest component 1; 0 where there is no area: then nothing hits it */
+    brdf_vec3 a;
+    brdf_vec3 b;
+};
+
+/* A triangle with |sin(e1, e2)| below about this has no area: its coordinates would be noise. */
+#define PT_SLIVER 7.62939453e-6f /* 2^-17 */
+
+static inline brdf_real pt_largest_component(brdf_vec3 v)
 {
-    brdf_vec3 across = brdf_cross(ray.d, e2);
-    brdf_real determinant = brdf_dot(e1, across);
-    brdf_mask facing = (determinant > 0.0f) | (determinant < 0.0f);
-    brdf_real inverse = 1.0f / brdf_pick(facing, determinant, 1.0f);
-    brdf_vec3 from = brdf_sub(ray.o, p);
-    brdf_real u = brdf_dot(from, across) * inverse;
-    brdf_vec3 along = brdf_cross(from, e1);
-    brdf_real v = brdf_dot(ray.d, along) * inverse;
-    brdf_real t = brdf_dot(e2, along) * inverse;
+    return brdf_max(fabsf(v.x), brdf_max(fabsf(v.y), fabsf(v.z)));
+}
+
+/* Lengths of e1 and e2 from 1e-18 to 1e18, or 0. */
+static inline struct pt_plane pt_plane_make(brdf_vec3 p, brdf_vec3 e1, brdf_vec3 e2)
+{
+    brdf_vec3 n = brdf_cross(e1, e2);
+    brdf_real size = pt_largest_component(n);
+    brdf_mask solid = size > PT_SLIVER * pt_largest_component(e1) * pt_largest_component(e2);
+    /* n is scaled before it is multiplied again: lengths to the fourth power would overflow. */
+    n = brdf_scale(n, brdf_pick(solid, 1.0f / brdf_pick(solid, size, 1.0f), 0.0f));
+    brdf_vec3 a = brdf_cross(e2, n);
+    brdf_real scale = 1.0f / brdf_pick(solid, brdf_dot(e1, a), 1.0f);
+    struct pt_plane plane;
+    plane.p = p;
+    plane.n = n;
+    plane.a = brdf_scale(a, scale);
+    plane.b = brdf_scale(brdf_cross(n, e1), scale);
+    return plane;
+}
+
+/* From both sides, at t > 0. */
+static inline struct pt_distance pt_plane_distance(struct pt_ray ray, struct pt_plane plane,
+                                                   brdf_int kind)
+{
+    brdf_vec3 from = brdf_sub(ray.o, plane.p);
+    brdf_real slope = brdf_dot(ray.d, plane.n);
+    brdf_mask facing = (slope > 0.0f) | (slope < 0.0f);
+    brdf_real t = -brdf_dot(from, plane.n) / brdf_pick(facing, slope, 1.0f);
+    brdf_vec3 at = brdf_add(from, brdf_scale(ray.d, t));
+    brdf_real u = brdf_dot(at, plane.a);
+    brdf_real v = brdf_dot(at, plane.b);
     brdf_real far = brdf_pick(kind == PT_TRIANGLE, u + v, brdf_max(u, v));
-    brdf_mask inside = (brdf_min(u, v) >= 0.0f) & (far <= 1.0f);
+    brdf_mask inside = (u >= 0.0f) & (v >= 0.0f) & (far <= 1.0f);
     inside = brdf_pick_int(kind == PT_DISK, u * u + v * v <= 1.0f, inside);
     struct pt_distance hit;
     hit.t = brdf_pick(facing & inside & (t > 0.0f), t, PT_MISS_T);
     hit.u = u;
     hit.v = v;
     return hit;
+}
+
+/* The same for one that was not made ready; where it is met often, keep its pt_plane instead. */
+static inline struct pt_distance pt_planar_distance(struct pt_ray ray, brdf_vec3 p, brdf_vec3 e1,
+                                                    brdf_vec3 e2, brdf_int kind)
+{
+    return pt_plane_distance(ray, pt_plane_make(p, e1, e2), kind);
 }
 
 /*
