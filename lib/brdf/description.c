@@ -173,18 +173,22 @@ static void put_quoted(struct writer *w, const char *text)
     put(w, "\"");
 }
 
-/* One number, or three unless they are the same. */
-static void put_numbers(struct writer *w, const float *x, int count)
+static void put_number(struct writer *w, float x)
 {
     char number[BRDF_NUMBER_SIZE];
-    if (count == 3 && memcmp(&x[0], &x[1], sizeof x[0]) == 0 &&
-        memcmp(&x[0], &x[2], sizeof x[0]) == 0) {
-        count = 1;
-    }
-    for (int i = 0; i < count; ++i) {
-        put(w, i > 0 ? "/" : "");
-        brdf_number_write(number, x[i]);
-        put(w, number);
+    brdf_number_write(number, x);
+    put(w, number);
+}
+
+/* Three numbers, or one where they are the same. */
+static void put_color(struct writer *w, const float rgb[3])
+{
+    /* Each the same as the next. */
+    int gray = memcmp(&rgb[0], &rgb[1], 2 * sizeof *rgb) == 0;
+    put_number(w, rgb[0]);
+    for (int i = 1; i < 3 && !gray; ++i) {
+        put(w, "/");
+        put_number(w, rgb[i]);
     }
 }
 
@@ -200,10 +204,10 @@ static void put_value(struct writer *w, const struct brdf_bsdf *bsdf,
         put(w, option);
         break;
     case BRDF_KIND_REAL:
-        put_numbers(w, &bsdf->material.word[place], 1);
+        put_number(w, bsdf->material.word[place]);
         break;
     case BRDF_KIND_COLOR:
-        put_numbers(w, &bsdf->material.word[place], 3);
+        put_color(w, &bsdf->material.word[place]);
         break;
     default:
         put_quoted(w, bsdf->file);
