@@ -1,0 +1,225 @@
+/*
+ * world.c - from the scene in the host's memory to the arrays that the stages read.
+ */
+#define _POSIX_C_SOURCE 200809L
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "world.h"
+
+#include "kernels/extend.h"
+#include "kernels/sort.h"
+
+#define ALIGNMENT 64
+
+void *world_allocate(size_t bytes)
+{
+    void *memory = NULL;
+    bytes = bytes > 0 ? bytes : ALIGNMENT;
+    if (posix_memalign(&memory, ALIGNMENT, bytes) != 0) {
+        return NULL;
+    }
+    memset(memory, 0, bytes);
+    return memory;
+}
+
+brdf_status world_append(struct world_words *words, const float *add, size_t count, int *at,
+                         struct brdf_error *error)
+{
+    size_t line = ALIGNMENT / sizeof(float);
+    size_t begin = (words->count + line - 1) / line * line;
+    if (count > INT_MAX || begin + count > INT_MAX) {
+        return brdf_fail(error, BRDF_OUT_OF_MEMORY,
+                         "the scene needs more than 2^31 words of memory; make it smaller");
+    }
+    if (begin + count > words->capacity) {
+        size_t capacity = begin + count + words->capacity / 2;
+        float *grown = world_allocate(capacity * sizeof(float));
+        if (!grown) {
+            return brdf_fail(error, BRDF_OUT_OF_MEMORY, "out of memory for the scene (%zu MB)",
+                             capacity * sizeof(float) >> 20);
+        }
+        if (words->count > 0) {
+            memcpy(grown, words->words, words->count * sizeof(float));
+        }
+        free(words->words);
+        words->words = grown;
+        words->capacity = capacity;
+    }
+    if (add) {
+        memcpy(words->words + begin, add, count * sizeof(float));
+    }
+    words->count = begin + count;
+    *at = (int)begin;
+    return BRDF_OK;
+}
+
+void world_cdf(const double *weights, size_t count, float *cdf)
+{
+    double total = 0.0;
+    for (size_t i = 0; i < count; ++i) {
+        total += weights[i];
+    }
+    double sum = 0.0;
+    for (size_t i = 0; i < count; ++i) {
+        cdf[i] = (float)sum;
+        sum += total > 0.0 ? weights[i] / total : 1.0 / (double)count;
+    }
+    /* The last bin of any mass ends at 1 exactly, so that a search never leaves the bins. */
+    cdf[count] = 1.0f;
+    for (size_t i = count; i > 0 && total > 0.0 && weights[i - 1] <= 0.0; --i) {
+        cdf[i - 1] = 1.0f;
+    }
+}
+
+int world_search_steps(int count)
+{
+    int steps = 0;
+    while ((1 << steps) < count) {
+        ++steps;
+    }
+    return steps;
+}
+
+/* The primitives made ready for packets of rays. */
+static brdf_status append_ready(const struct brdfcl_scene *scene, struct world *world,
+                                struct world_words *words, struct brdf_error *error)
+{
+    size_t count = scene->primitives.count;
+    brdf_status status = world_append(words, NULL, count * PT_ROW, &world->settings.ready, error);
+    for (size_t i = 0; i < count && status == BRDF_OK; ++i) {
+        const float *from = scene->primitives.words + i * PT_ROW;
+        float *to = words->words + world->settings.ready + i * PT_ROW;
+        struct pt_plane plane = pt_plane_make(pt_word_vec3(from + PT_P), pt_word_vec3(from + PT_E1),
+                                              pt_word_vec3(from + PT_E2));
+        if (pt_int_bits(from[PT_KIND]) == PT_SPHERE) {
+            plane.p = pt_word_vec3(from + PT_P);
+            plane.n = brdf_vec3_make(from[PT_RADIUS], 0.0f, 0.0f);
+        }
+        const brdf_vec3 vectors[4] = {plane.p, plane.n, plane.a, plane.b};
+        memcpy(to, vectors, sizeof vectors);
+        to[PT_READY_KIND] = from[PT_KIND];
+        to[PT_READY_SURFACE] = from[PT_SURFACE];
+    }
+    return status;
+}
+
+static brdf_status append_hierarchy(const struct brdfcl_scene *scene, struct world *world,
+                                    struct world_words *words, struct brdf_error *error)
+{
+    struct bvh bvh;
+    memset(&bvh, 0, sizeof bvh);
+    brdf_status status = bvh_build(scene->primitives.words, scene->primitives.count, &bvh, error);
+    if (status == BRDF_OK) {
+        status = world_append(words, bvh.nodes, bvh.node_words, &world->settings.nodes, error);
+    }
+    if (status == BRDF_OK) {
+        status = world_append(words, bvh.leaves, bvh.leaf_words, &world->settings.leaves, error);
+    }
+    world->settings.root = bvh.root;
+    bvh_destroy(&bvh);
+    return status;
+}
+
+static brdf_status append_geometry(const struct brdfcl_scene *scene, struct world *world,
+                                   struct world_words *words, struct brdf_error *error)
+{
+    struct pt_settings *settings = &world->settings;
+    size_t count = scene->primitives.count;
+    settings->primitive_count = (int)count;
+    for (size_t i = 0; i < count; ++i) {
+        int kind = pt_int_bits(scene->primitives.words[i * PT_ROW + PT_KIND]);
+        settings->features |= kind == PT_SPHERE ? PT_HAS_SPHERES : PT_HAS_PLANAR;
+    }
+    settings->features |= scene->shading.count > 0 ? PT_HAS_SHADING : 0;
+    /* One row at least: idle lanes read the first. */
+    size_t rows = count > 0 ? count : 1;
+    brdf_status status = world_append(words, NULL, rows * PT_ROW, &settings->primitives, error);
+    if (status == BRDF_OK && count > 0) {
+        memcpy(words->words + settings->primitives, scene->primitives.words,
+               count * PT_ROW * sizeof(float));
+    }
+    if (status == BRDF_OK) {
+        status = world_append(words, scene->shading.words, scene->shading.count * PT_ROW,
+                              &settings->shading, error);
+    }
+    if (status == BRDF_OK && count > PT_PACKET_PRIMITIVES) {
+        settings->features |= PT_HAS_BVH;
+        return append_hierarchy(scene, world, words, error);
+    }
+    return status == BRDF_OK ? append_ready(scene, world, words, error) : status;
+}
+
+/* Where the parts of the state array begin. */
+static void plan_state(struct world *world, int lanes, int pool)
+{
+    struct pt_settings *settings = &world->settings;
+    int line = ALIGNMENT / (int)sizeof(float);
+    int entries = pool + line;
+    int blocks = (pool + PT_SORT_BLOCK - 1) / PT_SORT_BLOCK;
+    settings->pool = pool;
+    settings->radiance = (pool + 1) * PT_PATH_WORDS;
+    settings->shadows = settings->radiance + (pool + 4) * 4;
+    settings->queues = settings->shadows + (pool + 1) * PT_SHADOW_WORDS;
+    settings->active[0] = PT_COUNTERS;
+    settings->active[1] = settings->active[0] + entries;
+    settings->keys = settings->active[1] + entries;
+    settings->variant_first = settings->keys + entries;
+    settings->histograms = settings->variant_first + PT_MAX_VARIANTS;
+    int packets = 0;
+    for (int v = 0; v < settings->variant_count; ++v) {
+        packets += (pool + lanes - 1) / lanes + blocks * world->variants[v].surfaces;
+    }
+    int histogram_words = blocks * (settings->surface_count + 1);
+    settings->packet_surface = settings->histograms + histogram_words;
+    settings->packet_paths = (settings->packet_surface + packets + line - 1) / line * line;
+    world->packets = packets;
+    world->sort_blocks = blocks;
+    world->state_words =
+        (size_t)settings->queues + (size_t)settings->packet_paths + (size_t)packets * (size_t)lanes;
+}
+
+brdf_status world_create(const struct brdfcl_scene *scene, int lanes, int pool, struct world *world,
+                         struct brdf_error *error)
+{
+    struct world_words words = {NULL, 0, 0};
+    memset(world, 0, sizeof *world);
+    struct pt_settings *settings = &world->settings;
+    world_camera(scene, settings);
+    settings->width = scene->width;
+    settings->height = scene->height;
+    settings->seed = scene->seed;
+    settings->max_depth = scene->max_depth < 0 ? INT_MAX : scene->max_depth;
+    settings->rr_depth = scene->rr_depth;
+    settings->filter = scene->filter;
+    settings->filter_radius = scene->filter_radius;
+    settings->filter_sigma = scene->filter_sigma;
+    settings->features = scene->sobol ? PT_HAS_SOBOL : 0;
+
+    brdf_status status = append_geometry(scene, world, &words, error);
+    if (status == BRDF_OK) {
+        status = world_surfaces(scene, world, &words, error);
+    }
+    if (status == BRDF_OK) {
+        status = world_environment(scene, world, &words, error);
+    }
+    if (status == BRDF_OK) {
+        status = world_lights(scene, world, &words, error);
+    }
+    world->scene = words.words;
+    world->scene_words = words.count;
+    if (status == BRDF_OK) {
+        plan_state(world, lanes, pool);
+    } else {
+        world_destroy(world);
+    }
+    return status;
+}
+
+void world_destroy(struct world *world)
+{
+    free(world->scene);
+    free(world->own_tables);
+    memset(world, 0, sizeof *world);
+}

@@ -1,0 +1,71 @@
+/*
+ * world.h - a scene laid out for the stages: settings, the scene array, the plan of the state
+ * array.
+ */
+#ifndef BRDFCL_LIB_WORLD_H
+#define BRDFCL_LIB_WORLD_H
+
+#include "bvh.h"
+#include "scene.h"
+
+#include "kernels/path.h"
+
+/* One shading kernel: what is constant in it. The last variant of a world is "missed". */
+struct world_variant {
+    unsigned model;
+    unsigned flags;
+    unsigned choices;
+    int surfaces; /* how many surfaces are shaded by it */
+};
+
+struct world {
+    struct pt_settings settings;
+    float *scene; /* aligned to 64 bytes */
+    size_t scene_words;
+    const float *tables;
+    size_t table_words;
+    float *own_tables; /* tables, where they had to be put side by side */
+    struct world_variant variants[PT_MAX_VARIANTS];
+    size_t state_words; /* of the state array of one renderer */
+    int sort_blocks;
+    int packets; /* launches of shade need at most so many work-items */
+};
+
+/* A part of the scene array while it grows. */
+struct world_words {
+    float *words;
+    size_t count;
+    size_t capacity;
+};
+
+/*
+ * Lay out a scene for renderers of `lanes` lanes and `pool` paths in flight (a multiple of 16).
+ * Refers to the scene's measured tables, which must outlive the world.
+ */
+brdf_status world_create(const struct brdfcl_scene *scene, int lanes, int pool, struct world *world,
+                         struct brdf_error *error);
+void world_destroy(struct world *world);
+
+/* Memory on 64 bytes, zeroed; to be freed by free(). NULL if there is none. */
+void *world_allocate(size_t bytes);
+
+/* Append `count` words (zeros if NULL) on the next 64 bytes; *at is their first word. */
+brdf_status world_append(struct world_words *words, const float *add, size_t count, int *at,
+                         struct brdf_error *error);
+
+/* The parts, each in a file of its own; they fill in their settings. */
+void world_camera(const struct brdfcl_scene *scene, struct pt_settings *settings);
+brdf_status world_surfaces(const struct brdfcl_scene *scene, struct world *world,
+                           struct world_words *words, struct brdf_error *error);
+brdf_status world_lights(const struct brdfcl_scene *scene, struct world *world,
+                         struct world_words *words, struct brdf_error *error);
+brdf_status world_environment(const struct brdfcl_scene *scene, struct world *world,
+                              struct world_words *words, struct brdf_error *error);
+
+/* A CDF of count + 1 words from weights, from 0 to 1; uniform where all weights are 0. */
+void world_cdf(const double *weights, size_t count, float *cdf);
+
+/* Steps of a binary search among `count` bins. */
+int world_search_steps(int count);
+
+#endif

@@ -1,0 +1,128 @@
+/*
+ * world_surfaces.c - surfaces with their materials, the tables of measured ones, and the variants:
+ * surfaces of equal model, flags and choices are shaded by one kernel.
+ */
+#include <stdlib.h>
+#include <string.h>
+
+#include "world.h"
+
+/* The variant of a material, added if it is new; -1 if there are too many. */
+static int find_variant(struct world *world, const struct brdf_material *material)
+{
+    int count = world->settings.variant_count;
+    for (int v = 0; v < count; ++v) {
+        struct world_variant *variant = &world->variants[v];
+        if (variant->model == material->model && variant->flags == material->flags &&
+            variant->choices == material->choices) {
+            variant->surfaces += 1;
+            return v;
+        }
+    }
+    if (count == PT_MAX_VARIANTS - 1) { /* one is kept for "missed" */
+        return -1;
+    }
+    world->variants[count].model = material->model;
+    world->variants[count].flags = material->flags;
+    world->variants[count].choices = material->choices;
+    world->variants[count].surfaces = 1;
+    world->settings.variant_count = count + 1;
+    return count;
+}
+
+/* All tables as one array: where there is one only, that one; else they are put side by side. */
+static brdf_status gather_tables(const struct brdfcl_scene *scene, struct world *world,
+                                 unsigned *table_of_bsdf, struct brdf_error *error)
+{
+    size_t total = 0;
+    size_t tables = 0;
+    for (size_t i = 0; i < scene->bsdf_count; ++i) {
+        size_t words = 0;
+        const float *table = brdf_bsdf_table(scene->bsdfs[i], &words);
+        table_of_bsdf[i] = (unsigned)total;
+        if (table) {
+            world->tables = table;
+            total += (words + 15) / 16 * 16;
+            ++tables;
+        }
+    }
+    world->table_words = total;
+    if (total > 0x7fffffffu) {
+        return brdf_fail(error, BRDF_OUT_OF_MEMORY,
+                         "%zu measured BRDFs need %zu MB, more than 8 GB; use fewer", tables,
+                         total >> 18);
+    }
+    if (tables == 1) {
+        size_t words = 0;
+        for (size_t i = 0; i < scene->bsdf_count; ++i) {
+            if (brdf_bsdf_table(scene->bsdfs[i], &words)) {
+                world->table_words = words;
+            }
+        }
+        return BRDF_OK;
+    }
+    if (tables == 0) {
+        return BRDF_OK;
+    }
+    world->own_tables = world_allocate(total * sizeof(float));
+    if (!world->own_tables) {
+        return brdf_fail(error, BRDF_OUT_OF_MEMORY, "out of memory for %zu measured BRDFs (%zu MB)",
+                         tables, total >> 18);
+    }
+    for (size_t i = 0; i < scene->bsdf_count; ++i) {
+        size_t words = 0;
+        const float *table = brdf_bsdf_table(scene->bsdfs[i], &words);
+        if (table) {
+            memcpy(world->own_tables + table_of_bsdf[i], table, words * sizeof(float));
+        }
+    }
+    world->tables = world->own_tables;
+    return BRDF_OK;
+}
+
+static unsigned table_of(const struct brdfcl_scene *scene, const struct brdf_bsdf *bsdf,
+                         const unsigned *table_of_bsdf)
+{
+    for (size_t i = 0; i < scene->bsdf_count; ++i) {
+        if (scene->bsdfs[i] == bsdf) {
+            return table_of_bsdf[i];
+        }
+    }
+    return 0u;
+}
+
+brdf_status world_surfaces(const struct brdfcl_scene *scene, struct world *world,
+                           struct world_words *words, struct brdf_error *error)
+{
+    struct pt_settings *settings = &world->settings;
+    size_t surface_words = sizeof(struct pt_surface) / sizeof(float);
+    unsigned *table_of_bsdf = calloc(scene->bsdf_count + 1, sizeof *table_of_bsdf);
+    brdf_status status = table_of_bsdf ? gather_tables(scene, world, table_of_bsdf, error)
+                                       : brdf_fail(error, BRDF_OUT_OF_MEMORY, "out of memory");
+    settings->surface_count = (int)scene->surface_count;
+    if (status == BRDF_OK) {
+        status = world_append(words, NULL, scene->surface_count * surface_words,
+                              &settings->surfaces, error);
+    }
+    for (size_t i = 0; i < scene->surface_count && status == BRDF_OK; ++i) {
+        const struct scene_surface *from = &scene->surfaces[i];
+        struct pt_surface surface;
+        memset(&surface, 0, sizeof surface);
+        surface.material = *brdf_bsdf_material(from->bsdf);
+        surface.material.table += table_of(scene, from->bsdf, table_of_bsdf);
+        surface.emits = from->emits;
+        memcpy(surface.radiance, from->radiance, sizeof surface.radiance);
+        surface.variant = find_variant(world, &surface.material);
+        if (surface.variant < 0) {
+            status = brdf_fail(error, BRDF_UNSUPPORTED,
+                               "more than %d different kinds of material in one scene",
+                               PT_MAX_VARIANTS - 1);
+        }
+        memcpy(words->words + settings->surfaces + i * surface_words, &surface, sizeof surface);
+    }
+    /* The last variant is for paths that met nothing. */
+    world->variants[settings->variant_count].surfaces = 1;
+    settings->variant_count += 1;
+    free(table_of_bsdf);
+    return status;
+}
