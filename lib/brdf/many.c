@@ -2,8 +2,8 @@
  * many.c - evaluation over arrays: one loop for each model, in which the model is a constant.
  *
  * The loops are plain C over the same functions, so they give the same bits. `restrict` tells that
- * results do not overlap inputs; small models become SIMD code that way, the larger ones stay scalar
- * (for those OpenCL is the fast way).
+ * results do not overlap inputs; small models become SIMD code that way, the larger ones stay
+ * scalar (for those OpenCL is the fast way).
  */
 #include "bsdf.h"
 
