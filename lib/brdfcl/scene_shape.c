@@ -83,26 +83,22 @@ static brdf_status shape_disk(struct scene_loader *loader, const struct shape_dr
     return shape_planar(loader, shape, PT_DISK, centre, e1, e2, 1);
 }
 
-/* Six rectangles; e1 and e2 follow Mitsuba's texture coordinates, on which anisotropy depends. */
+/* Six rectangles; e1 and e2 follow Mitsuba's texture coordinates, on which anisotropy depends, and
+   so e1 x e2 looks inwards. */
 static brdf_status shape_cube(struct scene_loader *loader, const struct shape_draft *shape)
 {
-    static const struct {
-        double corner[3];
-        double e1[3];
-        double e2[3];
-        int outward;
-    } faces[] = {
-        {{1, -1, 1}, {0, 2, 0}, {0, 0, -2}, 0},  /* +x */
-        {{-1, -1, -1}, {0, 2, 0}, {0, 0, 2}, 1}, /* -x */
-        {{1, 1, 1}, {-2, 0, 0}, {0, 0, -2}, 0},  /* +y */
-        {{-1, -1, -1}, {0, 0, 2}, {2, 0, 0}, 0}, /* -y */
-        {{-1, -1, 1}, {0, 2, 0}, {2, 0, 0}, 0},  /* +z */
-        {{-1, 1, -1}, {0, -2, 0}, {2, 0, 0}, 0}, /* -z */
+    static const double faces[6][3][3] = {
+        {{1, -1, 1}, {0, 2, 0}, {0, 0, -2}},  /* +x */
+        {{-1, -1, -1}, {0, 2, 0}, {0, 0, 2}}, /* -x */
+        {{1, 1, 1}, {-2, 0, 0}, {0, 0, -2}},  /* +y */
+        {{-1, -1, -1}, {0, 0, 2}, {2, 0, 0}}, /* -y */
+        {{-1, -1, 1}, {0, 2, 0}, {2, 0, 0}},  /* +z */
+        {{-1, 1, -1}, {0, -2, 0}, {2, 0, 0}}, /* -z */
     };
     brdf_status status = BRDF_OK;
     for (size_t i = 0; i < COUNT(faces) && !status; ++i) {
-        status = shape_planar(loader, shape, PT_RECTANGLE, faces[i].corner, faces[i].e1,
-                              faces[i].e2, faces[i].outward);
+        status =
+            shape_planar(loader, shape, PT_RECTANGLE, faces[i][0], faces[i][1], faces[i][2], 0);
     }
     return status;
 }

@@ -66,6 +66,7 @@ static brdf_status transform_rotate(const struct scene_loader *loader, const str
 {
     double a[3];
     double angle = 0.0;
+    double length;
     brdf_status status = scene_value_vector(loader, node, 0.0, 0, a);
     if (!status) {
         status = scene_value_number(loader, node, xml_attribute_get(node, "angle"), &angle);
@@ -73,8 +74,14 @@ static brdf_status transform_rotate(const struct scene_loader *loader, const str
     if (status) {
         return status;
     }
-    if (!(transform_normalize(a) > 0.0)) {
+    length = transform_normalize(a);
+    if (!(length > 0.0)) {
         return scene_fail(loader, node, BRDF_BAD_FILE, "the axis of a rotation is zero");
+    }
+    if (fabs(length - 1.0) > 1e-3) {
+        status = scene_note(loader, node,
+                            "the axis of a rotation is made a unit vector, which "
+                            "Mitsuba 3 does not do");
     }
     double s = transform_sine(angle);
     double c = transform_sine(angle + 90.0);
@@ -85,7 +92,7 @@ static brdf_status transform_rotate(const struct scene_loader *loader, const str
         m[4 * i + j] = a[i] * a[j] * (1.0 - c) - a[k] * s;
         m[4 * i + k] = a[i] * a[k] * (1.0 - c) + a[j] * s;
     }
-    return BRDF_OK;
+    return status;
 }
 
 static brdf_status transform_read_three(const struct scene_loader *loader,
