@@ -151,6 +151,22 @@ static brdf_status append_geometry(const struct brdfcl_scene *scene, struct worl
     return status == BRDF_OK ? append_ready(scene, world, words, error) : status;
 }
 
+/* The packets that a variant can fill: full ones, and one begun by each block for each surface. */
+static int variant_packets(const struct world *world, int variant, int lanes)
+{
+    return (world->settings.pool + lanes - 1) / lanes +
+           world->sort_blocks * world->variants[variant].surfaces;
+}
+
+void world_variant_first(const struct world *world, int lanes, int first[PT_MAX_VARIANTS])
+{
+    int packets = 0;
+    for (int v = 0; v < PT_MAX_VARIANTS; ++v) {
+        first[v] = packets;
+        packets += v < world->settings.variant_count ? variant_packets(world, v, lanes) : 0;
+    }
+}
+
 /* Where the parts of the state array begin. */
 static void plan_state(struct world *world, int lanes, int pool)
 {
@@ -158,6 +174,7 @@ static void plan_state(struct world *world, int lanes, int pool)
     int line = ALIGNMENT / (int)sizeof(float);
     int entries = pool + line;
     int blocks = (pool + PT_SORT_BLOCK - 1) / PT_SORT_BLOCK;
+    world->sort_blocks = blocks;
     settings->pool = pool;
     settings->radiance = (pool + 1) * PT_PATH_WORDS;
     settings->shadows = settings->radiance + (pool + 4) * 4;
@@ -169,13 +186,11 @@ static void plan_state(struct world *world, int lanes, int pool)
     settings->histograms = settings->variant_first + PT_MAX_VARIANTS;
     int packets = 0;
     for (int v = 0; v < settings->variant_count; ++v) {
-        packets += (pool + lanes - 1) / lanes + blocks * world->variants[v].surfaces;
+        packets += variant_packets(world, v, lanes);
     }
     int histogram_words = blocks * (settings->surface_count + 1);
     settings->packet_surface = settings->histograms + histogram_words;
     settings->packet_paths = (settings->packet_surface + packets + line - 1) / line * line;
-    world->packets = packets;
-    world->sort_blocks = blocks;
     world->state_words =
         (size_t)settings->queues + (size_t)settings->packet_paths + (size_t)packets * (size_t)lanes;
 }

@@ -28,7 +28,6 @@ struct world {
     struct world_variant variants[PT_MAX_VARIANTS];
     size_t state_words; /* of the state array of one renderer */
     int sort_blocks;
-    int packets; /* launches of shade need at most so many work-items */
 };
 
 /* A part of the scene array while it grows. */
@@ -45,6 +44,9 @@ struct world_words {
 brdf_status world_create(const struct brdfcl_scene *scene, int lanes, int pool, struct world *world,
                          struct brdf_error *error);
 void world_destroy(struct world *world);
+
+/* The first packet of each variant, to be written to the queue array at settings.variant_first. */
+void world_variant_first(const struct world *world, int lanes, int first[PT_MAX_VARIANTS]);
 
 /* Memory on 64 bytes, zeroed; to be freed by free(). NULL if there is none. */
 void *world_allocate(size_t bytes);

@@ -1,0 +1,169 @@
+/*
+ * render.c - a render from beginning to end: lay out the scene, run all passes, divide the sums.
+ */
+#define _POSIX_C_SOURCE 200809L
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "opencl.h"
+#include "render_job.h"
+
+#include "kernels/film.h"
+
+/* Paths in flight: their records have to stay in the cache (measured in docs/architecture.md). */
+#define POOL_PROCESSOR (1 << 16)
+#define POOL_OTHER (1 << 20)
+#define POOL_C (1 << 11)
+
+#define REPORT_SECONDS 0.1
+
+double render_now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* The largest sweep that the samples still wanted allow, and that fits the pool. */
+static int next_sweep_bits(const struct render_job *job)
+{
+    int left = job->spp - job->first_sample;
+    int bits = SWEEP_BITS;
+    while (bits > 0 && ((1 << bits) > left || (1 << bits) > job->run_pixels)) {
+        --bits;
+    }
+    return bits;
+}
+
+int render_next_pass(struct render_job *job, int new_sweep, struct pt_pass *pass)
+{
+    if (job->first_pixel == job->pixels) {
+        if (!new_sweep || job->first_sample + (1 << job->sweep_bits) >= job->spp) {
+            return 0;
+        }
+        job->first_sample += 1 << job->sweep_bits;
+        job->first_pixel = 0;
+        job->sweep_bits = next_sweep_bits(job);
+    }
+    int run = job->run_pixels >> job->sweep_bits;
+    int left = job->pixels - job->first_pixel;
+    run = run < left ? run : left;
+    pass->first_pixel = job->first_pixel;
+    pass->first_sample = job->first_sample;
+    pass->sample_bits = job->sweep_bits;
+    pass->path_count = run << job->sweep_bits;
+    job->first_pixel += run;
+    return 1;
+}
+
+void render_count(struct render_job *job, const struct pt_pass *pass, int rays, int invalid)
+{
+    job->samples += pass->path_count;
+    job->result->rays += rays;
+    job->result->invalid += invalid;
+}
+
+int render_report(struct render_job *job)
+{
+    double now = render_now();
+    if (!job->options->progress || now - job->reported < REPORT_SECONDS) {
+        return 0;
+    }
+    job->reported = now;
+    struct brdfcl_progress progress;
+    progress.seconds = now - job->started;
+    progress.samples = job->samples;
+    progress.samples_all = (long long)job->pixels * job->spp;
+    progress.spp_done = (int)(job->samples / job->pixels);
+    return job->options->progress(job->options->context, &progress);
+}
+
+/* Sums to means; pixels before the place of a stop have the samples of the unfinished sweep too. */
+static brdf_status develop(struct render_job *job, struct brdf_error *error)
+{
+    struct brdfcl_render_result *result = job->result;
+    int width = job->world.settings.width;
+    int height = job->world.settings.height;
+    brdf_status status = brdfcl_image_create(&result->image, width, height, error);
+    if (status != BRDF_OK) {
+        return status;
+    }
+    int sweep = 1 << job->sweep_bits;
+    int complete = job->first_pixel == job->pixels;
+    result->spp = job->first_sample + (complete ? sweep : 0);
+    for (int i = 0; i < job->pixels; ++i) {
+        int samples = job->first_sample + (i < job->first_pixel ? sweep : 0);
+        for (int c = 0; c < 3; ++c) {
+            float sum = job->film[(size_t)i * PT_FILM_WORDS + (size_t)c];
+            result->image.rgb[(size_t)i * 3 + (size_t)c] =
+                samples > 0 ? sum / (float)samples : 0.0f;
+        }
+    }
+    return BRDF_OK;
+}
+
+/* How many paths one renderer has in flight: a multiple of 16, and no more than there are. */
+static int choose_pool(const struct brdfcl_render_options *options, long long paths)
+{
+    int pool = options->pool;
+    if (pool <= 0) {
+        pool = !options->device                 ? POOL_C
+               : options->device->info.cpu != 0 ? POOL_PROCESSOR
+                                                : POOL_OTHER;
+    }
+    pool = pool < 16 ? 16 : pool > (1 << 24) ? 1 << 24 : pool;
+    if (pool > paths) {
+        pool = (int)paths;
+    }
+    return (pool + 15) / 16 * 16;
+}
+
+brdf_status brdfcl_render(const struct brdfcl_scene *scene,
+                          const struct brdfcl_render_options *options,
+                          struct brdfcl_render_result *result, struct brdf_error *error)
+{
+    memset(result, 0, sizeof *result);
+    long long pixels = (long long)scene->width * scene->height;
+    if (pixels * PT_FILM_WORDS > INT_MAX) {
+        return brdf_fail(error, BRDF_OUT_OF_RANGE,
+                         "%d x %d pixels: at most %d million can be rendered at once", scene->width,
+                         scene->height, INT_MAX / PT_FILM_WORDS / 1000000);
+    }
+    struct render_job job;
+    memset(&job, 0, sizeof job);
+    job.options = options;
+    job.result = result;
+    job.pixels = (int)pixels;
+    job.spp = scene->spp;
+    int pool = choose_pool(options, pixels * scene->spp);
+    job.run_pixels = pool;
+    job.sweep_bits = next_sweep_bits(&job);
+
+    double began = render_now();
+    int lanes = options->device ? options->device->lanes : 1;
+    brdf_status status = world_create(scene, lanes, pool, &job.world, error);
+    if (status == BRDF_OK) {
+        job.film = world_allocate((size_t)pixels * PT_FILM_WORDS * sizeof(float));
+        if (!job.film) {
+            status = brdf_fail(error, BRDF_OUT_OF_MEMORY, "out of memory for %d x %d pixels",
+                               scene->width, scene->height);
+        }
+    }
+    result->seconds_kernel_build = render_now() - began;
+    if (status == BRDF_OK) {
+        status = options->device ? render_opencl(&job, error) : render_c(&job, error);
+    }
+    if (status == BRDF_OK && job.samples == 0) {
+        status = brdf_fail(error, BRDF_CANCELLED, "stopped before the first sample was finished");
+    }
+    result->seconds_render = render_now() - job.started;
+    result->samples = job.samples;
+    if (status == BRDF_OK) {
+        status = develop(&job, error);
+    }
+    free(job.film);
+    world_destroy(&job.world);
+    return status;
+}
