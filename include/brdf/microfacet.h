@@ -36,40 +36,38 @@ static inline brdf_real brdf_microfacet_d(int distribution, brdf_vec3 h, brdf_re
 }
 
 /*
- * Smith's Lambda of a direction: masked over visible area [Heitz 2014, eq. 72 and 66]. Infinite at
- * grazing in theory; w.z is kept above 1e-7 here, so that everything stays finite.
+ * The projected area of all facets that face w, hidden ones included, per area of surface:
+ * cos(w) (1 + Lambda(w)) with the Lambda of Smith [Heitz 2014, eq. 72 and 66]. In this form nothing
+ * is infinite at grazing. What is seen of it is cos(w), so masking of one direction is
+ * G1 = cos(w) / area(w).
  */
-static inline brdf_real brdf_microfacet_lambda(int distribution, brdf_vec3 w, brdf_real alpha_u,
-                                               brdf_real alpha_v)
+static inline brdf_real brdf_microfacet_area(int distribution, brdf_vec3 w, brdf_real alpha_u,
+                                             brdf_real alpha_v)
 {
     brdf_real x = alpha_u * w.x;
     brdf_real y = alpha_v * w.y;
-    brdf_real z = brdf_max(w.z, 1e-7f);
-    brdf_real tan2 = (x * x + y * y) / (z * z); /* (alpha tan theta)^2 */
+    brdf_real slope2 = x * x + y * y; /* (alpha sin theta)^2 */
     if (distribution == BRDF_GGX) {
-        return 0.5f * (sqrtf(1.0f + tan2) - 1.0f);
+        return 0.5f * (w.z + sqrtf(w.z * w.z + slope2));
     }
-    brdf_real a = 1.0f / sqrtf(brdf_max(tan2, 1e-10f));
-    brdf_real a_small = brdf_min(a, 10.0f); /* beyond, Lambda is 0 in single precision */
-    brdf_real tail = brdf_exp(-a_small * a_small) * (0.5f * BRDF_1_SQRT_PI) / a_small;
-    return brdf_max(0.5f * (brdf_erf(a_small) - 1.0f) + tail, 0.0f);
+    brdf_real slope = sqrtf(slope2);
+    /* Beyond 10, Lambda is 0 in single precision. */
+    brdf_real a = brdf_clamp(w.z / brdf_max(slope, 1e-20f), 0.0f, 10.0f);
+    brdf_real tail = slope * (0.5f * BRDF_1_SQRT_PI) * brdf_exp(-a * a);
+    return brdf_max(0.5f * w.z * (1.0f + brdf_erf(a)) + tail, w.z);
 }
 
-/* Masking of one direction: the visible fraction of facets. */
-static inline brdf_real brdf_microfacet_g1(int distribution, brdf_vec3 w, brdf_real alpha_u,
-                                           brdf_real alpha_v)
-{
-    return 1.0f / (1.0f + brdf_microfacet_lambda(distribution, w, alpha_u, alpha_v));
-}
-
-/* Masking and shadowing from both Lambdas: height-correlated or separable [Heitz 2014, eq. 99, 98].
+/*
+ * Masking and shadowing over both cosines, G2 / (cos(wo) cos(wi)), from the cosines and the areas:
+ * height-correlated or separable [Heitz 2014, eq. 99, 98]. Symmetric to the last bit.
  */
-static inline brdf_real brdf_microfacet_g2(int masking, brdf_real lambda_o, brdf_real lambda_i)
+static inline brdf_real brdf_microfacet_visibility(int masking, brdf_real cos_o, brdf_real cos_i,
+                                                   brdf_real area_o, brdf_real area_i)
 {
     if (masking == BRDF_MASKING_SEPARABLE) {
-        return 1.0f / ((1.0f + lambda_o) * (1.0f + lambda_i));
+        return 1.0f / brdf_max(area_o * area_i, 1e-20f);
     }
-    return 1.0f / (1.0f + lambda_o + lambda_i);
+    return 1.0f / brdf_max((cos_o * area_i + cos_i * area_o) - cos_o * cos_i, 1e-20f);
 }
 
 /* Visible GGX normals by spherical caps [Dupuy and Benyoub 2023, listing 3]. */

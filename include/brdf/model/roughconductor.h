@@ -30,6 +30,15 @@ struct brdf_roughconductor {
     BRDF_ROUGHCONDUCTOR_PARAMETERS(BRDF_FIELD)
 };
 
+/* What one facet that mirrors wo into wi reflects; the same bits in both directions. */
+static inline brdf_rgb brdf_roughconductor_facet(struct brdf_roughconductor p, brdf_vec3 wo,
+                                                 brdf_vec3 wi)
+{
+    brdf_vec3 h = brdf_normalize(brdf_add(wo, wi));
+    brdf_real cos_h = brdf_clamp(0.5f * (brdf_dot(wo, h) + brdf_dot(wi, h)), 0.0f, 1.0f);
+    return brdf_rgb_mul(p.specular_reflectance, brdf_fresnel_conductor(cos_h, p.eta, p.k));
+}
+
 static inline brdf_rgb brdf_roughconductor_eval(struct brdf_roughconductor p, brdf_vec3 wo,
                                                 brdf_vec3 wi, BRDF_GLOBAL const float *table)
 {
@@ -37,15 +46,10 @@ static inline brdf_rgb brdf_roughconductor_eval(struct brdf_roughconductor p, br
     brdf_mask above = (wo.z > 0.0f) & (wi.z > 0.0f);
     brdf_vec3 h = brdf_normalize(brdf_add(wo, wi));
     brdf_real d = brdf_microfacet_d(p.distribution, h, p.alpha_u, p.alpha_v);
-    brdf_real lambda_o = brdf_microfacet_lambda(p.distribution, wo, p.alpha_u, p.alpha_v);
-    brdf_real lambda_i = brdf_microfacet_lambda(p.distribution, wi, p.alpha_u, p.alpha_v);
-    brdf_real g = brdf_microfacet_g2(p.masking, lambda_o, lambda_i);
-    brdf_real cosines = brdf_pick(above, wo.z * wi.z, 1.0f);
-    /* The same bits in both directions: the mean of the two cosines at h is symmetric. */
-    brdf_real cos_h = brdf_clamp(0.5f * (brdf_dot(wo, h) + brdf_dot(wi, h)), 0.0f, 1.0f);
-    brdf_rgb fresnel = brdf_fresnel_conductor(cos_h, p.eta, p.k);
-    brdf_rgb f = brdf_rgb_scale(brdf_rgb_mul(p.specular_reflectance, fresnel),
-                                d * g / (4.0f * brdf_max(cosines, 1e-20f)));
+    brdf_real area_o = brdf_microfacet_area(p.distribution, wo, p.alpha_u, p.alpha_v);
+    brdf_real area_i = brdf_microfacet_area(p.distribution, wi, p.alpha_u, p.alpha_v);
+    brdf_real g = brdf_microfacet_visibility(p.masking, wo.z, wi.z, area_o, area_i);
+    brdf_rgb f = brdf_rgb_scale(brdf_roughconductor_facet(p, wo, wi), 0.25f * d * g);
     return brdf_rgb_pick(above, f, brdf_gray(0.0f));
 }
 
@@ -56,8 +60,8 @@ static inline brdf_real brdf_roughconductor_pdf(struct brdf_roughconductor p, br
     brdf_mask above = (wo.z > 0.0f) & (wi.z > 0.0f);
     brdf_vec3 h = brdf_normalize(brdf_add(wo, wi));
     brdf_real d = brdf_microfacet_d(p.distribution, h, p.alpha_u, p.alpha_v);
-    brdf_real g1 = brdf_microfacet_g1(p.distribution, wo, p.alpha_u, p.alpha_v);
-    return brdf_pick(above, d * g1 / (4.0f * brdf_max(wo.z, 1e-7f)), 0.0f);
+    brdf_real area = brdf_microfacet_area(p.distribution, wo, p.alpha_u, p.alpha_v);
+    return brdf_pick(above, 0.25f * d / brdf_max(area, 1e-20f), 0.0f);
 }
 
 static inline struct brdf_sample brdf_roughconductor_sample(struct brdf_roughconductor p,
@@ -69,12 +73,11 @@ static inline struct brdf_sample brdf_roughconductor_sample(struct brdf_roughcon
     brdf_real pdf = brdf_roughconductor_pdf(p, wo, wi, table);
     brdf_mask valid = (wo.z > 0.0f) & (wi.z > 0.0f) & (pdf > 0.0f);
     /* f cos / pdf = F G2 / G1: D cancels, so that the weight never exceeds the reflectance. */
-    brdf_real lambda_o = brdf_microfacet_lambda(p.distribution, wo, p.alpha_u, p.alpha_v);
-    brdf_real lambda_i = brdf_microfacet_lambda(p.distribution, wi, p.alpha_u, p.alpha_v);
-    brdf_real g = brdf_microfacet_g2(p.masking, lambda_o, lambda_i) * (1.0f + lambda_o);
-    brdf_real cos_h = brdf_clamp(brdf_dot(wo, h), 0.0f, 1.0f);
-    brdf_rgb fresnel = brdf_fresnel_conductor(cos_h, p.eta, p.k);
-    brdf_rgb weight = brdf_rgb_scale(brdf_rgb_mul(p.specular_reflectance, fresnel), g);
+    brdf_real area_o = brdf_microfacet_area(p.distribution, wo, p.alpha_u, p.alpha_v);
+    brdf_real area_i = brdf_microfacet_area(p.distribution, wi, p.alpha_u, p.alpha_v);
+    brdf_real g = brdf_microfacet_visibility(p.masking, wo.z, wi.z, area_o, area_i);
+    g = brdf_min(g * area_o * wi.z, 1.0f);
+    brdf_rgb weight = brdf_rgb_scale(brdf_roughconductor_facet(p, wo, wi), g);
     return brdf_sample_where(valid, brdf_sample_make(wi, weight, pdf));
 }
 

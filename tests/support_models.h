@@ -1,0 +1,66 @@
+/*
+ * support_models.h - every check over every model: cases, and cmocka tests made of both.
+ *
+ * A new model gets all of this without a word here: its cases are its initial parameters and random
+ * ones from all over their ranges, as info.h tells them. What deserves a case of its own is a line
+ * in support_models.c.
+ */
+#ifndef SUPPORT_MODELS_H
+#define SUPPORT_MODELS_H
+
+#include <stddef.h>
+
+#include <brdf/info.h>
+#include <brdf/material.h>
+
+#include "bsdf.h"
+#include "check_cases.h"
+
+/* A material to be checked. Evaluate it with brdf_eval(&it->bsdf, ...) and so on. */
+struct model_case {
+    char text[1024]; /* what it is, for messages; a description but for a FILE */
+    struct brdf_bsdf bsdf;
+    int is_made; /* 1: owns its table; 0: shares that of another case */
+};
+
+struct model_cases {
+    const struct brdf_model_info *model;
+    struct model_case *items;
+    size_t count;
+    size_t failures; /* of the running check */
+};
+
+/* A check: a function of a cmocka test whose *state is a struct model_cases. */
+struct model_check {
+    const char *name;
+    void (*run)(void **state);
+};
+
+/*
+ * Run each check over each model, as the test "model: name"; only the models that
+ * the environment variable BRDFCL_TEST_MODEL names, if it is set. Returns the number of failures.
+ */
+int models_run(const struct model_check *checks, size_t count);
+
+/* How many cases all models have together. */
+size_t models_case_count(void);
+
+/* 1 if the suite has been asked for its long form, with BRDFCL_TEST_LONG=1 in the environment. */
+int models_long(void);
+
+/* Note a failure of a case, as printf would; the first few of a check are printed. */
+#ifdef __GNUC__
+__attribute__((format(printf, 3, 4)))
+#endif
+void models_fail(struct model_cases *cases, const struct model_case *one, const char *format, ...);
+
+/* The end of a check: fails the test if anything has failed. */
+void models_verdict(struct model_cases *cases);
+
+/* Can light come from below the surface: is there something to see? */
+int models_seen_from_below(const struct model_case *one);
+
+/* Point i of a sequence that fills the unit cube evenly. */
+brdf_vec3 models_even_point(size_t i);
+
+#endif

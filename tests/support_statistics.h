@@ -1,0 +1,34 @@
+/*
+ * support_statistics.h - do counts agree with what a distribution predicts?
+ */
+#ifndef SUPPORT_STATISTICS_H
+#define SUPPORT_STATISTICS_H
+
+#include <stddef.h>
+
+/* The regularised incomplete gamma function Q(a, x) = Gamma(a, x) / Gamma(a), a > 0, x >= 0. */
+double statistics_gamma_q(double a, double x);
+
+struct statistics_bin {
+    double expected;
+    double observed;
+};
+
+struct statistics_chi2 {
+    double chi2;
+    size_t freedom; /* degrees; 0 where there is nothing to compare */
+    double p;       /* the probability of at least this chi2 if the prediction holds */
+    int impossible; /* 1: something was observed where nothing can be */
+};
+
+/*
+ * Pearson's test. The expected counts should sum to the observed; bins that expect fewer than 5 are
+ * pooled. Reorders the bins.
+ */
+struct statistics_chi2 statistics_chi2_test(struct statistics_bin *bins, size_t count);
+
+/* What each of `count` tests must reach so that all pass with probability 1 - significance [Sidak
+   1967]. */
+double statistics_sidak(double significance, size_t count);
+
+#endif
