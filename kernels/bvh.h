@@ -245,9 +245,9 @@ static inline int pt_leaf_occluded(BRDF_GLOBAL const float *leaf, struct pt_ray 
 }
 
 /* The first primitive along the ray, t > 0; the smallest number where several are equally near. */
-static inline struct pt_hit_record pt_bvh_closest(BRDF_GLOBAL const struct pt_settings *settings,
-                                                  BRDF_GLOBAL const float *scene,
-                                                  struct pt_bvh_ray ray)
+PT_OWN_FRAME static inline struct pt_hit_record
+pt_bvh_closest(BRDF_GLOBAL const struct pt_settings *settings, BRDF_GLOBAL const float *scene,
+               struct pt_bvh_ray ray)
 {
     BRDF_GLOBAL const float *nodes = scene + settings->nodes;
     BRDF_GLOBAL const float *leaves = scene + settings->leaves;
@@ -276,8 +276,9 @@ static inline struct pt_hit_record pt_bvh_closest(BRDF_GLOBAL const struct pt_se
 }
 
 /* Is there a primitive at 0 < t < tmax? tmax is at most PT_MISS_T. */
-static inline int pt_bvh_occluded(BRDF_GLOBAL const struct pt_settings *settings,
-                                  BRDF_GLOBAL const float *scene, struct pt_bvh_ray ray, float tmax)
+PT_OWN_FRAME static inline int pt_bvh_occluded(BRDF_GLOBAL const struct pt_settings *settings,
+                                               BRDF_GLOBAL const float *scene,
+                                               struct pt_bvh_ray ray, float tmax)
 {
     BRDF_GLOBAL const float *nodes = scene + settings->nodes;
     BRDF_GLOBAL const float *leaves = scene + settings->leaves;

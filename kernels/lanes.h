@@ -74,6 +74,17 @@ static inline int pt_lowest_bit(unsigned bits)
 
 #endif
 
+/*
+ * For a function with large arrays: it is called, not inlined. PoCL keeps a copy of a kernel's own
+ * arrays for each work-item of a group, far more than the caches (or the stack) hold, but a called
+ * function's arrays live while it runs.
+ */
+#ifdef __OPENCL_VERSION__
+#define PT_OWN_FRAME __attribute__((noinline))
+#else
+#define PT_OWN_FRAME
+#endif
+
 /* Instructions that gather the sign bits of a vector: AVX-512 DQ, AVX, SSE. */
 #if BRDF_LANES > 1 && defined(__clang__) && defined(__has_builtin)
 #if BRDF_LANES == 16 && defined(__AVX512DQ__) && __has_builtin(__builtin_ia32_cvtd2mask512)
