@@ -14,7 +14,7 @@ BUILD=${BUILD:-build}
 BRDFCL=$(pwd)/$BUILD/brdfcl
 case "$BUILD" in /*) BRDFCL=$BUILD/brdfcl ;; esac
 logs=$BUILD/tests
-limit=600 # seconds for one program
+limit=240 # seconds for one program
 
 # Sanitizers: what the OpenCL runtime and its compiler leave behind at exit is not ours.
 UBSAN_OPTIONS=${UBSAN_OPTIONS:-print_stacktrace=1}
