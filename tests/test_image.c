@@ -30,7 +30,7 @@ static int make_folder(void **state)
 static int remove_folder(void **state)
 {
     (void)state;
-    return rmdir(folder); /* fails if a test, or the library, has left anything */
+    return rmdir(folder);
 }
 
 /* Values that a careless writer would change: signs, denormals, infinities, NaN with a payload. */
