@@ -65,7 +65,7 @@ FNR == 1 { in_comment = 0 }
     if (has_bare_literal()) broken("a floating literal ends in f")
     if (word("goto")) broken("no goto")
     kernel = FILENAME ~ /\.cl$/
-    if (!dialect && code ~ /(^|[^A-Za-z0-9_])static[^A-Za-z0-9_]/ && code !~ /static inline/ &&
+    if (!dialect && code ~ /(^|[^A-Za-z0-9_])static[^A-Za-z0-9_]/ && code !~ /static (inline|__attribute__)/ &&
         !(kernel && code ~ /^static [^=[]*\(/)) broken("no static data; functions are static inline")
     if (word("bool|long") || (word("size_t") && !kernel)) broken("only int, unsigned and float")
     if (call("(sin|cos|tan|asin|acos|atan|atan2|sinh|cosh|tanh|exp|exp2|expm1|log|log2|log10|log1p" \
