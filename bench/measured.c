@@ -1,0 +1,73 @@
+/* measured.c - a material for every model, also for those that need a measurement. */
+#define _POSIX_C_SOURCE 200809L
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <brdf/info.h>
+#include <brdf/merl.h>
+
+#include "arrays.h"
+
+static void copper(const double wo[3], const double wi[3], double rgb[3], void *data)
+{
+    brdf_rgb f = brdf_eval(data, brdf_vec3_make((float)wo[0], (float)wo[1], (float)wo[2]),
+                           brdf_vec3_make((float)wi[0], (float)wi[1], (float)wi[2]));
+    rgb[0] = (double)f.r;
+    rgb[1] = (double)f.g;
+    rgb[2] = (double)f.b;
+}
+
+/* The file of a MERL measurement of rough copper. */
+static brdf_status write_copper(const char *path, struct brdf_error *error)
+{
+    struct brdf_bsdf *bsdf = NULL;
+    struct brdf_merl_file file;
+    memset(&file, 0, sizeof file);
+    brdf_status status = brdf_bsdf_create("roughconductor:material=Cu,alpha=0.2", &bsdf, error);
+    if (!status) {
+        status = brdf_merl_make(copper, bsdf, &file, error);
+    }
+    if (!status) {
+        status = brdf_merl_write(path, &file, error);
+    }
+    brdf_merl_free(&file);
+    brdf_bsdf_destroy(bsdf);
+    return status;
+}
+
+static brdf_status create_merl(struct brdf_bsdf **out, struct brdf_error *error)
+{
+    const char *folder = getenv("TMPDIR");
+    char path[1024];
+    int length =
+        snprintf(path, sizeof path, "%s/brdfcl-merl.XXXXXX", folder && *folder ? folder : "/tmp");
+    int fd = length < (int)sizeof path ? mkstemp(path) : -1;
+    if (fd < 0) {
+        return brdf_fail(error, BRDF_IO, "%s: no temporary file can be made", path);
+    }
+    close(fd);
+    brdf_status status = write_copper(path, error);
+    if (!status) {
+        struct brdf_setting setting = brdf_setting_text("filename", path);
+        status = brdf_bsdf_create_from("merl", &setting, 1, out, error);
+    }
+    unlink(path);
+    return status;
+}
+
+brdf_status measured_bsdf_create(const char *description, struct brdf_bsdf **out,
+                                 struct brdf_error *error)
+{
+    const struct brdf_model_info *model = brdf_model_find(description);
+    *out = NULL;
+    if (!model || !(model->flags & BRDF_TABULATED)) {
+        return brdf_bsdf_create(description, out, error);
+    }
+    if (strcmp(model->name, "merl") == 0) {
+        return create_merl(out, error);
+    }
+    return brdf_fail(error, BRDF_UNSUPPORTED, "%s needs a file: name it as in '%s:filename=FILE'",
+                     model->name, model->name);
+}

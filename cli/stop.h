@@ -1,0 +1,24 @@
+/*
+ * stop.h - Ctrl-C (and SIGTERM, SIGHUP) while there is something to save.
+ *
+ * The first signal asks, a second one quits at once. Where there is nothing to save the first one
+ * quits. While files are written both wait, so that no temporary file is left.
+ */
+#ifndef BRDFCL_STOP_H
+#define BRDFCL_STOP_H
+
+enum stop_phase {
+    STOP_QUITS, /* nothing to save */
+    STOP_ASKS,  /* the work in progress looks at stop_signal() */
+    STOP_WAITS  /* files are being written */
+};
+
+/* Begin to listen, in the phase STOP_QUITS. */
+void stop_install(void);
+
+void stop_set_phase(enum stop_phase phase);
+
+/* The signal that came first, or 0. The exit status that belongs to it is 128 + its number. */
+int stop_signal(void);
+
+#endif
