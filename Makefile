@@ -253,7 +253,7 @@ install: all ## headers, libraries, pkg-config files, command and man page, unde
 	    install -D -m 644 $$header "$(DESTDIR)$(PREFIX)/$$header" || exit 1; done
 	$(call put_library,libbrdf)
 	$(call put_library,libbrdfcl)
-	$(call pc,brdf,-lm)
+	$(call pc,brdf)
 	$(call pc,brdfcl,$(package_libs) -pthread)
 	@[ -n "$(DESTDIR)" ] || ldconfig 2>/dev/null || true
 
