@@ -27,7 +27,8 @@ struct brdf_phong {
 static inline brdf_real brdf_phong_lobe(struct brdf_phong p, brdf_vec3 wo, brdf_vec3 wi)
 {
     brdf_real cosine = wo.z * wi.z - (wo.x * wi.x + wo.y * wi.y);
-    return brdf_pow(brdf_clamp(cosine, 0.0f, 1.0f), p.exponent);
+    brdf_real lobe = brdf_pow(brdf_clamp(cosine, 0.0f, 1.0f), p.exponent);
+    return brdf_pick(cosine > 0.0f, lobe, 0.0f); /* 0^0 is 1, but behind the lobe there is none */
 }
 
 /* The probability of sampling the lobe rather than the diffuse part. */
