@@ -48,7 +48,8 @@ enum pt_leaf_line {
 };
 
 #define PT_BVH_DEPTH 20 /* levels of nodes at most; the builder keeps to it */
-#define PT_BVH_STACK (PT_BVH_DEPTH * (PT_WIDTH - 1) + 1)
+#define PT_BVH_STACK (PT_BVH_DEPTH * (PT_WIDTH - 1))
+#define PT_BVH_NOWHERE (-2147483647 - 1) /* no reference: lines are fewer than 2^29 */
 #define PT_BVH_SLACK 4.0e-6f    /* 67 units of rounding; the analysis above needs about 40 */
 #define PT_BVH_ROUNDING 2.4e-7f /* of the widened origin itself: 4 units */
 #define PT_BVH_STEEP 1.0e-18f   /* a smaller component of a direction is as good as 0 */
@@ -106,7 +107,7 @@ struct pt_walk {
     float entry[PT_BVH_STACK]; /* the distances at which the ray enters them */
 };
 
-static inline void pt_walk_start(struct pt_walk *walk, BRDF_GLOBAL const float *nodes, int root,
+static inline void pt_walk_start(struct pt_walk *walk, BRDF_GLOBAL const float *nodes,
                                  struct pt_bvh_ray ray)
 {
     BRDF_GLOBAL const float *centre = nodes + PT_BVH_CENTRE;
@@ -119,9 +120,7 @@ static inline void pt_walk_start(struct pt_walk *walk, BRDF_GLOBAL const float *
     walk->z = pt_axis_make(ray.oz, ray.dz, slack, 2);
     walk->ray.o = brdf_vec3_make(ray.ox, ray.oy, ray.oz);
     walk->ray.d = brdf_vec3_make(ray.dx, ray.dy, ray.dz);
-    walk->stack[0] = root;
-    walk->entry[0] = 0.0f;
-    walk->top = 1;
+    walk->top = 0;
 }
 
 static inline brdf_real pt_near_plane(BRDF_GLOBAL const float *node, struct pt_axis axis)
@@ -155,29 +154,39 @@ static inline unsigned pt_node_test(BRDF_GLOBAL const float *node, const struct 
     return bits;
 }
 
-/* Put the children that were entered on the stack, the nearest on top. */
-static inline void pt_walk_push(struct pt_walk *walk, BRDF_GLOBAL const float *node, unsigned bits,
-                                const union pt_sixteen *entry)
+/* The nearest of the children that were entered; the others go on the stack. */
+static inline int pt_walk_down(struct pt_walk *walk, BRDF_GLOBAL const float *node, unsigned bits,
+                               const union pt_sixteen *entry)
 {
     BRDF_GLOBAL const float *child = node + PT_NODE_CHILD * PT_WIDTH;
     int k = pt_lowest_bit(bits);
     int nearest = pt_int_bits(child[k]);
     float distance = entry->one[k];
-    int top = walk->top;
     for (bits &= bits - 1u; bits; bits &= bits - 1u) {
         k = pt_lowest_bit(bits);
         int other = pt_int_bits(child[k]);
         float other_distance = entry->one[k];
         int nearer = other_distance < distance;
-        walk->stack[top] = nearer ? nearest : other;
-        walk->entry[top] = nearer ? distance : other_distance;
+        walk->stack[walk->top] = nearer ? nearest : other;
+        walk->entry[walk->top] = nearer ? distance : other_distance;
+        walk->top += 1;
         nearest = nearer ? other : nearest;
         distance = nearer ? other_distance : distance;
-        ++top;
     }
-    walk->stack[top] = nearest;
-    walk->entry[top] = distance;
-    walk->top = top + 1;
+    return nearest;
+}
+
+/* The last that was put on the stack and is entered before `far`; PT_BVH_NOWHERE if none is. */
+static inline int pt_walk_on(struct pt_walk *walk, float far)
+{
+    int reference = PT_BVH_NOWHERE;
+    while (walk->top > 0 && reference == PT_BVH_NOWHERE) {
+        walk->top -= 1;
+        if (walk->entry[walk->top] <= far) {
+            reference = walk->stack[walk->top];
+        }
+    }
+    return reference;
 }
 
 /* Where the ray meets the primitives of a chunk of a leaf. */
@@ -245,59 +254,61 @@ static inline int pt_leaf_occluded(BRDF_GLOBAL const float *leaf, struct pt_ray 
 }
 
 /* The first primitive along the ray, t > 0; the smallest number where several are equally near. */
-PT_OWN_FRAME static inline struct pt_hit_record
-pt_bvh_closest(BRDF_GLOBAL const struct pt_settings *settings, BRDF_GLOBAL const float *scene,
-               struct pt_bvh_ray ray)
+PT_OWN_FRAME struct pt_hit_record pt_bvh_closest(BRDF_GLOBAL const struct pt_settings *settings,
+                                                 BRDF_GLOBAL const float *scene,
+                                                 struct pt_bvh_ray ray)
 {
     BRDF_GLOBAL const float *nodes = scene + settings->nodes;
     BRDF_GLOBAL const float *leaves = scene + settings->leaves;
     struct pt_hit_record best = {PT_MISS_T, 0.0f, 0.0f, -1};
     struct pt_walk walk;
-    pt_walk_start(&walk, nodes, settings->root, ray);
-    while (walk.top > 0) {
-        walk.top -= 1;
-        int reference = walk.stack[walk.top];
-        if (walk.entry[walk.top] > best.t) {
-            continue;
-        }
-        if (reference < 0) {
-            int leaf = ~reference;
+    pt_walk_start(&walk, nodes, ray);
+    int at = settings->root;
+    while (at != PT_BVH_NOWHERE) {
+        unsigned bits = 0u;
+        if (at < 0) {
+            int leaf = ~at;
             best = pt_leaf_closest(leaves + (leaf >> 1) * PT_WIDTH, walk.ray, leaf & 1, best);
-            continue;
+        } else {
+            union pt_sixteen entry;
+            BRDF_GLOBAL const float *node = nodes + at * PT_WIDTH;
+            bits = pt_node_test(node, &walk, best.t, &entry);
+            if (bits) {
+                at = pt_walk_down(&walk, node, bits, &entry);
+            }
         }
-        BRDF_GLOBAL const float *node = nodes + reference * PT_WIDTH;
-        union pt_sixteen entry;
-        unsigned bits = pt_node_test(node, &walk, best.t, &entry);
-        if (bits) {
-            pt_walk_push(&walk, node, bits, &entry);
+        if (!bits) {
+            at = pt_walk_on(&walk, best.t);
         }
     }
     return best;
 }
 
 /* Is there a primitive at 0 < t < tmax? tmax is at most PT_MISS_T. */
-PT_OWN_FRAME static inline int pt_bvh_occluded(BRDF_GLOBAL const struct pt_settings *settings,
-                                               BRDF_GLOBAL const float *scene,
-                                               struct pt_bvh_ray ray, float tmax)
+PT_OWN_FRAME int pt_bvh_occluded(BRDF_GLOBAL const struct pt_settings *settings,
+                                 BRDF_GLOBAL const float *scene, struct pt_bvh_ray ray, float tmax)
 {
     BRDF_GLOBAL const float *nodes = scene + settings->nodes;
     BRDF_GLOBAL const float *leaves = scene + settings->leaves;
     int occluded = 0;
     struct pt_walk walk;
-    pt_walk_start(&walk, nodes, settings->root, ray);
-    while (walk.top > 0 && !occluded) {
-        walk.top -= 1;
-        int reference = walk.stack[walk.top];
-        if (reference < 0) {
-            int leaf = ~reference;
+    pt_walk_start(&walk, nodes, ray);
+    int at = settings->root;
+    while (at != PT_BVH_NOWHERE && !occluded) {
+        unsigned bits = 0u;
+        if (at < 0) {
+            int leaf = ~at;
             occluded = pt_leaf_occluded(leaves + (leaf >> 1) * PT_WIDTH, walk.ray, leaf & 1, tmax);
-            continue;
+        } else {
+            union pt_sixteen entry;
+            BRDF_GLOBAL const float *node = nodes + at * PT_WIDTH;
+            bits = pt_node_test(node, &walk, tmax, &entry);
+            if (bits) {
+                at = pt_walk_down(&walk, node, bits, &entry);
+            }
         }
-        BRDF_GLOBAL const float *node = nodes + reference * PT_WIDTH;
-        union pt_sixteen entry;
-        unsigned bits = pt_node_test(node, &walk, tmax, &entry);
-        if (bits) {
-            pt_walk_push(&walk, node, bits, &entry);
+        if (!bits) {
+            at = pt_walk_on(&walk, tmax);
         }
     }
     return occluded;

@@ -56,9 +56,9 @@ static inline void pt_generate(struct pt_world w, struct pt_pass pass, int packe
     brdf_vec3 o = brdf_vec3_make(origin[0], origin[1], origin[2]);
 
     brdf_int record = path * PT_PATH_WORDS;
-    pt_store_quad(w.paths, record + PT_PATH_ORIGIN, pt_quad_of_vec3(o, -1.0f));
-    pt_store_quad(w.paths, record + PT_PATH_DIRECTION, pt_quad_of_vec3(brdf_normalize(d), 1.0f));
-    pt_store_quad(w.paths, record + PT_PATH_THROUGHPUT, pt_quad_make(1.0f, 1.0f, 1.0f, 0.0f));
+    pt_store_quad(w.paths + PT_PATH_ORIGIN, record, pt_quad_of_vec3(o, -1.0f));
+    pt_store_quad(w.paths + PT_PATH_DIRECTION, record, pt_quad_of_vec3(brdf_normalize(d), 1.0f));
+    pt_store_quad(w.paths + PT_PATH_THROUGHPUT, record, pt_quad_make(1.0f, 1.0f, 1.0f, 0.0f));
     pt_store_quad(w.radiance, path * 4, pt_quad_make(0.0f, 0.0f, 0.0f, 0.0f));
 }
 

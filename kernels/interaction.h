@@ -30,9 +30,9 @@ static inline struct pt_primitive pt_load_primitive(struct pt_world w, brdf_int 
     BRDF_GLOBAL const float *words = w.scene + w.settings->primitives;
     brdf_int row = number * PT_ROW;
     struct pt_quad q0 = pt_load_quad(words, row);
-    struct pt_quad q1 = pt_load_quad(words, row + 4);
-    struct pt_quad q2 = pt_load_quad(words, row + 8);
-    struct pt_quad q3 = pt_load_quad(words, row + 12);
+    struct pt_quad q1 = pt_load_quad(words + 4, row);
+    struct pt_quad q2 = pt_load_quad(words + 8, row);
+    struct pt_quad q3 = pt_load_quad(words + 12, row);
     struct pt_primitive primitive;
     primitive.p = pt_quad_vec3(q0);
     primitive.e1 = brdf_vec3_make(q0.d, q1.a, q1.b);
@@ -53,9 +53,9 @@ static inline brdf_frame pt_triangle_frame(struct pt_world w, struct pt_primitiv
     BRDF_GLOBAL const float *words = w.scene + w.settings->shading;
     brdf_int row = brdf_pick_int(has, primitive.shading, 0) * PT_ROW;
     struct pt_quad q0 = pt_load_quad(words, row);
-    struct pt_quad q1 = pt_load_quad(words, row + 4);
-    struct pt_quad q2 = pt_load_quad(words, row + 8);
-    struct pt_quad q3 = pt_load_quad(words, row + 12);
+    struct pt_quad q1 = pt_load_quad(words + 4, row);
+    struct pt_quad q2 = pt_load_quad(words + 8, row);
+    struct pt_quad q3 = pt_load_quad(words + 12, row);
     brdf_real rest = 1.0f - u - v;
     brdf_vec3 n =
         brdf_vec3_make(q0.a * rest + q0.d * u + q1.c * v, q0.b * rest + q1.a * u + q1.d * v,

@@ -41,6 +41,11 @@ static inline float pt_float_of_bits(int bits)
     return as_float(bits);
 }
 
+static inline int pt_count_bits(unsigned bits)
+{
+    return (int)popcount(bits);
+}
+
 /* The number of the lowest bit that is set; bits is not 0. */
 static inline int pt_lowest_bit(unsigned bits)
 {
@@ -57,6 +62,15 @@ static inline int pt_int_bits(float word)
 static inline float pt_float_of_bits(int bits)
 {
     return brdf_from_bits(bits);
+}
+
+static inline int pt_count_bits(unsigned bits)
+{
+    int count = 0;
+    for (; bits; bits &= bits - 1u) {
+        ++count;
+    }
+    return count;
 }
 
 static inline int pt_lowest_bit(unsigned bits)
@@ -80,9 +94,9 @@ static inline int pt_lowest_bit(unsigned bits)
  * function's arrays live while it runs.
  */
 #ifdef __OPENCL_VERSION__
-#define PT_OWN_FRAME __attribute__((noinline))
+#define PT_OWN_FRAME static __attribute__((noinline))
 #else
-#define PT_OWN_FRAME
+#define PT_OWN_FRAME static inline
 #endif
 
 /* Instructions that gather the sign bits of a vector: AVX-512 DQ, AVX, SSE. */

@@ -76,9 +76,9 @@ static inline struct pt_light pt_load_light(struct pt_world w, brdf_int number)
     BRDF_GLOBAL const float *words = w.scene + w.settings->lights;
     brdf_int row = number * PT_ROW;
     struct pt_quad q0 = pt_load_quad(words, row);
-    struct pt_quad q1 = pt_load_quad(words, row + 4);
-    struct pt_quad q2 = pt_load_quad(words, row + 8);
-    struct pt_quad q3 = pt_load_quad(words, row + 12);
+    struct pt_quad q1 = pt_load_quad(words + 4, row);
+    struct pt_quad q2 = pt_load_quad(words + 8, row);
+    struct pt_quad q3 = pt_load_quad(words + 12, row);
     struct pt_light light;
     light.p = pt_quad_vec3(q0);
     light.e1 = brdf_vec3_make(q0.d, q1.a, q1.b);

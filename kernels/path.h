@@ -11,6 +11,7 @@
 #ifndef PT_PATH_H
 #define PT_PATH_H
 
+#include "lanes.h"
 #include "random.h"
 #include "rows.h"
 #include "scene.h"
@@ -124,12 +125,7 @@ static inline int pt_claim(BRDF_GLOBAL int *counter, int count)
 /* How many lanes of a mask are true. */
 static inline int pt_count_lanes(brdf_mask mask)
 {
-    union pt_lanes lanes = pt_lanes_of(mask);
-    int count = 0;
-    for (int k = 0; k < BRDF_LANES; ++k) {
-        count += lanes.lane[k] != 0;
-    }
-    return count;
+    return pt_count_bits(pt_mask_bits(mask));
 }
 
 /*

@@ -39,43 +39,59 @@ static inline struct pt_quad pt_quad_make(brdf_real a, brdf_real b, brdf_real c,
 #define PT_BESIDE(F, k0, k1, k2, k3) (brdf_real)(F(k0), F(k1), F(k2), F(k3))
 #endif
 
-/* Within each group of four lanes: the even (odd) pairs, the even (odd) lanes of two vectors. */
+/*
+ * Within each group of four lanes: the lower (higher) lanes of two vectors by turns, and their
+ * lower (higher) pairs side by side. Each is one instruction on x86 (unpcklps, unpckhps, unpcklpd,
+ * unpckhpd). They are spelled as shuffles of whole vectors where the compiler has such a thing:
+ * from single elements it builds the result of all of them together, element by element.
+ */
+#if defined(__has_builtin)
+#if __has_builtin(__builtin_shufflevector)
+#define PT_SHUFFLE(p, q, ...) __builtin_shufflevector(p, q, __VA_ARGS__)
+#endif
+#endif
+#ifndef PT_SHUFFLE
+#define PT_SHUFFLE(p, q, ...) shuffle2(p, q, (brdf_uint)(__VA_ARGS__))
+#endif
 #if BRDF_LANES == 4
-#define PT_LOW_PAIRS(p, q) (brdf_real)(p.s01, q.s01)
-#define PT_HIGH_PAIRS(p, q) (brdf_real)(p.s23, q.s23)
-#define PT_EVEN(p, q) (brdf_real)(p.s0, q.s0, p.s2, q.s2)
-#define PT_ODD(p, q) (brdf_real)(p.s1, q.s1, p.s3, q.s3)
+#define PT_ZIP_LOW(p, q) PT_SHUFFLE(p, q, 0, 4, 1, 5)
+#define PT_ZIP_HIGH(p, q) PT_SHUFFLE(p, q, 2, 6, 3, 7)
+#define PT_LOW_PAIRS(p, q) PT_SHUFFLE(p, q, 0, 1, 4, 5)
+#define PT_HIGH_PAIRS(p, q) PT_SHUFFLE(p, q, 2, 3, 6, 7)
 #elif BRDF_LANES == 8
-#define PT_LOW_PAIRS(p, q) (brdf_real)(p.s01, q.s01, p.s45, q.s45)
-#define PT_HIGH_PAIRS(p, q) (brdf_real)(p.s23, q.s23, p.s67, q.s67)
-#define PT_EVEN(p, q) (brdf_real)(p.s0, q.s0, p.s2, q.s2, p.s4, q.s4, p.s6, q.s6)
-#define PT_ODD(p, q) (brdf_real)(p.s1, q.s1, p.s3, q.s3, p.s5, q.s5, p.s7, q.s7)
-#else
-#define PT_LOW_PAIRS(p, q) (brdf_real)(p.s01, q.s01, p.s45, q.s45, p.s89, q.s89, p.scd, q.scd)
-#define PT_HIGH_PAIRS(p, q) (brdf_real)(p.s23, q.s23, p.s67, q.s67, p.sab, q.sab, p.sef, q.sef)
-#define PT_EVEN(p, q)                                                                              \
-    (brdf_real)(p.s0, q.s0, p.s2, q.s2, p.s4, q.s4, p.s6, q.s6, p.s8, q.s8, p.sa, q.sa, p.sc,      \
-                q.sc, p.se, q.se)
-#define PT_ODD(p, q)                                                                               \
-    (brdf_real)(p.s1, q.s1, p.s3, q.s3, p.s5, q.s5, p.s7, q.s7, p.s9, q.s9, p.sb, q.sb, p.sd,      \
-                q.sd, p.sf, q.sf)
+#define PT_ZIP_LOW(p, q) PT_SHUFFLE(p, q, 0, 8, 1, 9, 4, 12, 5, 13)
+#define PT_ZIP_HIGH(p, q) PT_SHUFFLE(p, q, 2, 10, 3, 11, 6, 14, 7, 15)
+#define PT_LOW_PAIRS(p, q) PT_SHUFFLE(p, q, 0, 1, 8, 9, 4, 5, 12, 13)
+#define PT_HIGH_PAIRS(p, q) PT_SHUFFLE(p, q, 2, 3, 10, 11, 6, 7, 14, 15)
+#elif BRDF_LANES == 16
+#define PT_ZIP_LOW(p, q) PT_SHUFFLE(p, q, 0, 16, 1, 17, 4, 20, 5, 21, 8, 24, 9, 25, 12, 28, 13, 29)
+#define PT_ZIP_HIGH(p, q)                                                                          \
+    PT_SHUFFLE(p, q, 2, 18, 3, 19, 6, 22, 7, 23, 10, 26, 11, 27, 14, 30, 15, 31)
+#define PT_LOW_PAIRS(p, q)                                                                         \
+    PT_SHUFFLE(p, q, 0, 1, 16, 17, 4, 5, 20, 21, 8, 9, 24, 25, 12, 13, 28, 29)
+#define PT_HIGH_PAIRS(p, q)                                                                        \
+    PT_SHUFFLE(p, q, 2, 3, 18, 19, 6, 7, 22, 23, 10, 11, 26, 27, 14, 15, 30, 31)
 #endif
 
 /* Transpose the 4 x 4 blocks of four vectors; its own inverse. */
 static inline struct pt_quad pt_quad_transpose(struct pt_quad q)
 {
-    brdf_real ac_low = PT_LOW_PAIRS(q.a, q.c);
-    brdf_real ac_high = PT_HIGH_PAIRS(q.a, q.c);
-    brdf_real bd_low = PT_LOW_PAIRS(q.b, q.d);
-    brdf_real bd_high = PT_HIGH_PAIRS(q.b, q.d);
-    return pt_quad_make(PT_EVEN(ac_low, bd_low), PT_ODD(ac_low, bd_low), PT_EVEN(ac_high, bd_high),
-                        PT_ODD(ac_high, bd_high));
+    brdf_real ab_low = PT_ZIP_LOW(q.a, q.b);
+    brdf_real cd_low = PT_ZIP_LOW(q.c, q.d);
+    brdf_real ab_high = PT_ZIP_HIGH(q.a, q.b);
+    brdf_real cd_high = PT_ZIP_HIGH(q.c, q.d);
+    return pt_quad_make(PT_LOW_PAIRS(ab_low, cd_low), PT_HIGH_PAIRS(ab_low, cd_low),
+                        PT_LOW_PAIRS(ab_high, cd_high), PT_HIGH_PAIRS(ab_high, cd_high));
 }
 
-/* words[index .. index + 3] in every lane; index is a multiple of 4. */
+/*
+ * words[index .. index + 3] in every lane; index is a multiple of 4 and not negative. Several quads
+ * of one record: move `words`, not `index`, so that the lanes of the index are taken apart only
+ * once.
+ */
 static inline struct pt_quad pt_load_quad(BRDF_GLOBAL const float *words, brdf_int index)
 {
-#define PT_AT(k) *(BRDF_GLOBAL const float4 *)(words + index.s##k)
+#define PT_AT(k) *(BRDF_GLOBAL const float4 *)(words + as_uint(index.s##k))
     struct pt_quad rows = pt_quad_make(PT_BESIDE(PT_AT, 0, 4, 8, c), PT_BESIDE(PT_AT, 1, 5, 9, d),
                                        PT_BESIDE(PT_AT, 2, 6, a, e), PT_BESIDE(PT_AT, 3, 7, b, f));
 #undef PT_AT
@@ -86,7 +102,7 @@ static inline struct pt_quad pt_load_quad(BRDF_GLOBAL const float *words, brdf_i
 static inline void pt_store_quad(BRDF_GLOBAL float *words, brdf_int index, struct pt_quad q)
 {
     struct pt_quad rows = pt_quad_transpose(q);
-#define PT_PUT(k, row, part) *(BRDF_GLOBAL float4 *)(words + index.s##k) = rows.row part
+#define PT_PUT(k, row, part) *(BRDF_GLOBAL float4 *)(words + as_uint(index.s##k)) = rows.row part
 #if BRDF_LANES == 4
     PT_PUT(0, a, );
     PT_PUT(1, b, );

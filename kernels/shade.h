@@ -36,8 +36,13 @@ static inline void pt_continue(struct pt_world w, brdf_int path, brdf_mask alive
     int next = (depth + 1) & 1;
     union pt_lanes alive_lanes = pt_lanes_of(alive);
     union pt_lanes path_lanes = pt_lanes_of(path);
-    int place = pt_claim(w.queues + PT_ACTIVE + next, pt_count_lanes(alive));
+    int count = pt_count_lanes(alive);
+    int place = pt_claim(w.queues + PT_ACTIVE + next, count);
     BRDF_GLOBAL int *queue = w.queues + w.settings->active[next];
+    if (count == BRDF_LANES) {
+        pt_store_ints(queue + place, path);
+        return;
+    }
     for (int k = 0; k < BRDF_LANES; ++k) {
         if (alive_lanes.lane[k]) {
             queue[place] = path_lanes.lane[k];
@@ -50,19 +55,25 @@ static inline void pt_continue(struct pt_world w, brdf_int path, brdf_mask alive
 static inline void pt_ask_shadow(struct pt_world w, brdf_int path, brdf_mask asks, brdf_vec3 origin,
                                  struct pt_light_sample light, brdf_rgb radiance)
 {
-    union pt_lanes ask_lanes = pt_lanes_of(asks);
-    union pt_lanes places;
-    int place = pt_claim(w.queues + PT_SHADOWS, pt_count_lanes(asks));
-    for (int k = 0; k < BRDF_LANES; ++k) {
-        int asking = ask_lanes.lane[k] != 0;
-        places.lane[k] = asking ? place : w.settings->pool;
-        place += asking;
+    int count = pt_count_lanes(asks);
+    if (count == 0) {
+        return;
+    }
+    int place = pt_claim(w.queues + PT_SHADOWS, count);
+    union pt_lanes places = pt_lanes_of(place + brdf_lane_numbers());
+    if (count < BRDF_LANES) {
+        union pt_lanes ask_lanes = pt_lanes_of(asks);
+        for (int k = 0; k < BRDF_LANES; ++k) {
+            int asking = ask_lanes.lane[k] != 0;
+            places.lane[k] = asking ? place : w.settings->pool;
+            place += asking;
+        }
     }
     brdf_int record = places.v * PT_SHADOW_WORDS;
-    pt_store_quad(w.shadows, record + PT_SHADOW_ORIGIN, pt_quad_of_vec3(origin, light.length));
-    pt_store_quad(w.shadows, record + PT_SHADOW_DIRECTION,
+    pt_store_quad(w.shadows + PT_SHADOW_ORIGIN, record, pt_quad_of_vec3(origin, light.length));
+    pt_store_quad(w.shadows + PT_SHADOW_DIRECTION, record,
                   pt_quad_of_vec3(light.wi, brdf_from_bits(path)));
-    pt_store_quad(w.shadows, record + PT_SHADOW_RADIANCE, pt_quad_of_rgb(radiance, 0.0f));
+    pt_store_quad(w.shadows + PT_SHADOW_RADIANCE, record, pt_quad_of_rgb(radiance, 0.0f));
 }
 
 /* The radiance that the surface emits itself towards the ray, weighted against next-event
@@ -86,9 +97,9 @@ static inline void pt_shade_missed(struct pt_world w, int packet)
 {
     brdf_int path = pt_load_ints(w.queues + w.settings->packet_paths + packet * BRDF_LANES);
     brdf_int record = path * PT_PATH_WORDS;
-    struct pt_quad origin = pt_load_quad(w.paths, record + PT_PATH_ORIGIN);
-    struct pt_quad direction = pt_load_quad(w.paths, record + PT_PATH_DIRECTION);
-    struct pt_quad throughput = pt_load_quad(w.paths, record + PT_PATH_THROUGHPUT);
+    struct pt_quad origin = pt_load_quad(w.paths + PT_PATH_ORIGIN, record);
+    struct pt_quad direction = pt_load_quad(w.paths + PT_PATH_DIRECTION, record);
+    struct pt_quad throughput = pt_load_quad(w.paths + PT_PATH_THROUGHPUT, record);
     brdf_real light_pdf;
     brdf_rgb radiance = pt_environment_radiance(w, pt_quad_vec3(direction), &light_pdf);
     brdf_real weight = brdf_pick(origin.d < 0.0f, 1.0f, pt_mis(origin.d, light_pdf));
@@ -111,10 +122,10 @@ static inline void pt_shade(struct pt_world w, struct pt_pass pass, struct pt_va
         pt_surface_at(w, w.queues[settings->packet_surface + packet]);
     brdf_int path = pt_load_ints(w.queues + settings->packet_paths + packet * BRDF_LANES);
     brdf_int record = path * PT_PATH_WORDS;
-    struct pt_quad origin = pt_load_quad(w.paths, record + PT_PATH_ORIGIN);
-    struct pt_quad direction = pt_load_quad(w.paths, record + PT_PATH_DIRECTION);
-    struct pt_quad hit = pt_load_quad(w.paths, record + PT_PATH_HIT_T);
-    brdf_rgb throughput = pt_quad_rgb(pt_load_quad(w.paths, record + PT_PATH_THROUGHPUT));
+    struct pt_quad origin = pt_load_quad(w.paths + PT_PATH_ORIGIN, record);
+    struct pt_quad direction = pt_load_quad(w.paths + PT_PATH_DIRECTION, record);
+    struct pt_quad hit = pt_load_quad(w.paths + PT_PATH_HIT_T, record);
+    brdf_rgb throughput = pt_quad_rgb(pt_load_quad(w.paths + PT_PATH_THROUGHPUT, record));
     brdf_mask used = path < settings->pool;
 
     struct pt_ray ray;
@@ -162,9 +173,9 @@ static inline void pt_shade(struct pt_world w, struct pt_pass pass, struct pt_va
     brdf_vec3 next = brdf_normalize(brdf_to_world(at.frame, s.wi));
     brdf_real pdf = brdf_pick(s.delta, -1.0f, s.pdf);
     brdf_mask alive = used & (s.pdf > 0.0f) & (brdf_rgb_largest(throughput) > 0.0f);
-    pt_store_quad(w.paths, record + PT_PATH_ORIGIN, pt_quad_of_vec3(pt_leave(at, next), pdf));
-    pt_store_quad(w.paths, record + PT_PATH_DIRECTION, pt_quad_of_vec3(next, eta));
-    pt_store_quad(w.paths, record + PT_PATH_THROUGHPUT, pt_quad_of_rgb(throughput, 0.0f));
+    pt_store_quad(w.paths + PT_PATH_ORIGIN, record, pt_quad_of_vec3(pt_leave(at, next), pdf));
+    pt_store_quad(w.paths + PT_PATH_DIRECTION, record, pt_quad_of_vec3(next, eta));
+    pt_store_quad(w.paths + PT_PATH_THROUGHPUT, record, pt_quad_of_rgb(throughput, 0.0f));
     pt_continue(w, path, alive, depth);
 }
 

@@ -28,6 +28,9 @@
 #define BRDF_LANES 1
 #endif
 
+/* A packet's values live in registers: a call would take them all through memory. */
+#define inline __attribute__((always_inline)) inline
+
 #define BRDF_GLOBAL __global
 #define BRDF_CONSTANT __constant
 
