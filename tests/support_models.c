@@ -3,6 +3,7 @@
  */
 #include "support_models.h"
 
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdint.h>
@@ -45,17 +46,25 @@ int models_seen_from_below(const struct model_case *one)
     return (one->bsdf.material.flags & (BRDF_TRANSMISSION | BRDF_TWOSIDED)) != 0;
 }
 
-/* Roberts 2018, "The unreasonable effectiveness of quasirandom sequences": powers of the root of
-   x^4 = x + 1. */
-brdf_vec3 models_even_point(size_t i)
+/* The bits of i, mirrored at the point [van der Corput 1935]. */
+static double mirrored_bits(size_t i)
 {
-    static const double step[3] = {0.8191725133961645, 0.6710436067037893, 0.5497004779019703};
-    float u[3];
-    for (int k = 0; k < 3; ++k) {
-        double x = 0.5 + (double)i * step[k];
-        u[k] = brdf_min((float)(x - floor(x)), BRDF_ONE_MINUS_ULP);
+    double result = 0.0;
+    for (double digit = 0.5; i; i >>= 1, digit *= 0.5) {
+        result += (i & 1u) ? digit : 0.0;
     }
-    return brdf_vec3_make(u[0], u[1], u[2]);
+    return result;
+}
+
+/* Hammersley 1960; the third coordinate is Kronecker's sequence of the golden ratio. */
+brdf_vec3 models_even_point(size_t i, size_t count)
+{
+    float x = (float)(((double)i + 0.5) / (double)count);
+    float y = (float)mirrored_bits(i);
+    double golden = 0.5 + (double)i * 0.61803398874989485;
+    float z = (float)(golden - floor(golden));
+    return brdf_vec3_make(brdf_min(x, BRDF_ONE_MINUS_ULP), brdf_min(y, BRDF_ONE_MINUS_ULP),
+                          brdf_min(z, BRDF_ONE_MINUS_ULP));
 }
 
 static int is_of(const char *description, const struct brdf_model_info *model)

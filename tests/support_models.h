@@ -60,7 +60,7 @@ void models_verdict(struct model_cases *cases);
 /* Can light come from below the surface: is there something to see? */
 int models_seen_from_below(const struct model_case *one);
 
-/* Point i of a sequence that fills the unit cube evenly. */
-brdf_vec3 models_even_point(size_t i);
+/* Point i of `count` that fill the unit cube evenly. */
+brdf_vec3 models_even_point(size_t i, size_t count);
 
 #endif

@@ -16,6 +16,7 @@ struct sphere_node {
     double low[2]; /* q, t */
     double high[2];
     int child;       /* the first of two, or -1: this is a cell */
+    int pilots;      /* of the directions that it was cut for, those inside */
     double integral; /* of a cell: what sphere_integrate has found */
 };
 
@@ -23,6 +24,7 @@ struct sphere {
     struct sphere_node *nodes; /* the first 512 are the roots */
     size_t count;
     size_t capacity;
+    size_t pilots;
 };
 
 typedef double sphere_function(brdf_vec3 w, void *data);
@@ -34,7 +36,16 @@ void sphere_destroy(struct sphere *sphere);
 /* The number of the cell that holds w: an index of `nodes`. */
 size_t sphere_find(const struct sphere *sphere, brdf_vec3 w);
 
-/* Integrate f over each cell, to about `tolerance` of its value; returns the sum. */
-double sphere_integrate(struct sphere *sphere, sphere_function *f, void *data, double tolerance);
+struct sphere_sum {
+    double value;
+    double error; /* what cells that did not converge may be off by, together */
+};
+
+/*
+ * Integrate f over each cell, to about `tolerance` of its value; f should be large where the pilot
+ * directions are dense. Gives up as soon as the error exceeds `give_up`: f is not resolved.
+ */
+struct sphere_sum sphere_integrate(struct sphere *sphere, sphere_function *f, void *data,
+                                   double tolerance, double give_up);
 
 #endif

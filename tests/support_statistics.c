@@ -65,11 +65,11 @@ struct statistics_chi2 statistics_chi2_test(struct statistics_bin *bins, size_t 
     struct statistics_bin pool = {0.0, 0.0};
     qsort(bins, count, sizeof *bins, by_expected);
     size_t used = 0;
+    double impossible = 0.0;
+    double total = 0.0;
     for (size_t i = 0; i < count; ++i) {
-        if (bins[i].expected <= 0.0) {
-            result.impossible |= bins[i].observed > 0.0;
-            continue;
-        }
+        impossible += bins[i].expected <= 0.0 ? bins[i].observed : 0.0;
+        total += bins[i].observed;
         pool.expected += bins[i].expected;
         pool.observed += bins[i].observed;
         /* Sorted: the small ones come first, and what is left of them joins the next. */
@@ -81,6 +81,7 @@ struct statistics_chi2 statistics_chi2_test(struct statistics_bin *bins, size_t 
             pool.observed = 0.0;
         }
     }
+    result.impossible = impossible > 3.0 + 1e-3 * total;
     if (used > 1) {
         result.freedom = used - 1;
         result.p = statistics_gamma_q(0.5 * (double)result.freedom, 0.5 * result.chi2);

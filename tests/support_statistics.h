@@ -18,12 +18,13 @@ struct statistics_chi2 {
     double chi2;
     size_t freedom; /* degrees; 0 where there is nothing to compare */
     double p;       /* the probability of at least this chi2 if the prediction holds */
-    int impossible; /* 1: something was observed where nothing can be */
+    int impossible; /* 1: too much was observed where nothing is expected */
 };
 
 /*
  * Pearson's test. The expected counts should sum to the observed; bins that expect fewer than 5 are
- * pooled. Reorders the bins.
+ * pooled. A few counts (3, and one in 1000) where nothing is expected are put down to rounding at
+ * the edges of bins. Reorders the bins.
  */
 struct statistics_chi2 statistics_chi2_test(struct statistics_bin *bins, size_t count);
 

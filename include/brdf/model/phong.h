@@ -23,12 +23,22 @@ struct brdf_phong {
     BRDF_PHONG_PARAMETERS(BRDF_FIELD)
 };
 
-/* cos^n of the angle between wi and the mirror direction of wo; symmetric in the two. */
+/*
+ * cos^n of the angle between wi and the mirror direction of wo; symmetric in the two. 1 - cos comes
+ * from the difference of the two, and its logarithm from that of the rounded cos,
+ * corrected by the ratio of both differences from 1 [Goldberg 1991, theorem 4]:
+ * cos itself has too few digits left near 1, where narrow lobes are.
+ */
 static inline brdf_real brdf_phong_lobe(struct brdf_phong p, brdf_vec3 wo, brdf_vec3 wi)
 {
-    brdf_real cosine = wo.z * wi.z - (wo.x * wi.x + wo.y * wi.y);
-    brdf_real lobe = brdf_pow(brdf_clamp(cosine, 0.0f, 1.0f), p.exponent);
-    return brdf_pick(cosine > 0.0f, lobe, 0.0f); /* 0^0 is 1, but behind the lobe there is none */
+    brdf_vec3 off = brdf_vec3_make(wi.x + wo.x, wi.y + wo.y, wi.z - wo.z);
+    brdf_real far = 0.5f * brdf_dot(off, off); /* 1 - cos */
+    brdf_mask inside = far < 1.0f;
+    brdf_real cosine = brdf_pick(inside, 1.0f - far, 1.0f);
+    brdf_real lost = 1.0f - cosine; /* what of `far` is left in `cosine` */
+    brdf_real log_cosine =
+        brdf_pick(lost > 0.0f, brdf_log(cosine) * (far / brdf_pick(lost > 0.0f, lost, 1.0f)), -far);
+    return brdf_pick(inside, brdf_exp(p.exponent * log_cosine), 0.0f);
 }
 
 /* The probability of sampling the lobe rather than the diffuse part. */
@@ -64,9 +74,14 @@ static inline brdf_real brdf_phong_pdf(struct brdf_phong p, brdf_vec3 wo, brdf_v
 static inline struct brdf_sample brdf_phong_sample(struct brdf_phong p, brdf_vec3 wo, brdf_vec3 u,
                                                    BRDF_GLOBAL const float *table)
 {
-    /* About the mirror direction: cos = u^(1 / (n + 1)). */
-    brdf_real cosine = brdf_pow(u.x, 1.0f / (p.exponent + 1.0f));
-    brdf_real sine = sqrtf(brdf_max(1.0f - cosine * cosine, 0.0f));
+    /* About the mirror direction: cos = u^(1 / (n + 1)); 1 - cos with all its digits, as above. */
+    brdf_real log_cosine = brdf_log(brdf_max(u.x, 1e-12f)) / (p.exponent + 1.0f);
+    brdf_real rounded = brdf_exp(log_cosine);
+    brdf_mask few = rounded < 1.0f;
+    brdf_real log_rounded = brdf_log(brdf_pick(few, rounded, 0.5f));
+    brdf_real far = brdf_pick(few, (1.0f - rounded) * (log_cosine / log_rounded), -log_cosine);
+    brdf_real cosine = 1.0f - far;
+    brdf_real sine = sqrtf(brdf_max(far * (2.0f - far), 0.0f));
     struct brdf_sincos turn = brdf_sincos_2pi(u.y);
     brdf_frame mirror = brdf_frame_from_normal(brdf_vec3_make(-wo.x, -wo.y, wo.z));
     brdf_vec3 lobe =
