@@ -1,7 +1,141 @@
+/* bench.c - brdfcl bench: scalar C on one thread and on all against OpenCL at each lane count. */
+#define _POSIX_C_SOURCE 200809L
+#include "bench.h"
+
+#include <string.h>
+#include <unistd.h>
+
+#include <brdf/info.h>
+
 #include "commands.h"
+#include "say.h"
+#include "text_file.h"
+
+static const char summary[] =
+    "Measure C on one thread and on all against OpenCL at each number of lanes: the materials "
+    "named (or\n"
+    "every model as it is initially), each operation, and whole renders (of scenes/cornell.xml, "
+    "where it\n"
+    "is found, or of each --scene). All run in turns; medians are printed, in millions a second. "
+    "'ratio'\n"
+    "is OpenCL at native lanes on all cores against C on one thread; 'B' the bytes that an "
+    "evaluation\n"
+    "moves, 'of triad' what part of the measured bandwidth that is. All bits are compared first.\n"
+    "Rates never decide the exit status; bits that differ do.";
+
+static const char cornell[] = "scenes/cornell.xml";
+static const int all_lanes[BENCH_LANES] = {1, 4, 8, 16};
+
+static int read_command_line(struct bench *bench, int argc, char **argv)
+{
+    const struct option options[] = {
+        {"json", 0, OPTION_TEXT, &bench->json_path, "FILE", 0, 0,
+         "write everything as JSON, each round too; - is standard output"},
+        {"quick", 0, OPTION_ON, &bench->quick, NULL, 0, 0, "shorter timings and smaller renders"},
+        {"scene", 0, OPTION_LIST, &bench->scenes, "FILE", 0, 0, "render this; several are fine"},
+        {"rounds", 0, OPTION_INT, &bench->rounds, "N", 1, BENCH_ROUNDS, "7 if not given"},
+        {"count", 0, OPTION_INT, &bench->count, "N", 1024, 1 << 26,
+         "evaluations in one run of a kernel; 262144 if not given"},
+        {"spp", 0, OPTION_INT, &bench->spp, "N", 1, 1 << 24,
+         "samples for each pixel of renders; 16 if not given, quick 4"},
+        {"device", 0, OPTION_TEXT, &bench->device_choice, "D", 0, 0,
+         "OpenCL device: its number or a part of its name"},
+    };
+    const struct usage usage = {
+        "bench", "[BSDF...]", summary, options, sizeof options / sizeof options[0], 0, 64};
+    int status = options_read(&usage, argc, argv, &bench->materials);
+    bench->seconds = bench->quick ? 0.01 : 0.05;
+    bench->rounds = bench->rounds ? bench->rounds : bench->quick ? 5 : 7;
+    bench->spp = bench->spp ? bench->spp : bench->quick ? 4 : 16;
+    return status;
+}
+
+static void choose_subjects(struct bench *bench)
+{
+    int nothing_named = bench->materials.count == 0 && bench->scenes.count == 0;
+    for (int tag = 0; nothing_named && tag < brdf_model_count() && tag < 64; ++tag) {
+        bench->materials.item[bench->materials.count++] = brdf_model_info(tag)->name;
+    }
+    if (nothing_named && access(cornell, R_OK) == 0) {
+        bench->scenes.item[bench->scenes.count++] = cornell;
+    } else if (nothing_named) {
+        say("%s is not here: no render is measured (name one with --scene)", cornell);
+    }
+}
+
+static brdf_status open_devices(struct bench *bench, struct brdf_error *error)
+{
+    struct brdfcl_device *device = NULL;
+    brdf_status status = brdfcl_device_open(bench->device_choice, 0, 0, &device, error);
+    if (status) {
+        return status;
+    }
+    bench->info = brdfcl_device_get_info(device);
+    int native = brdfcl_device_lanes(device);
+    brdfcl_device_close(device);
+    for (int i = 0; i < BENCH_LANES && !status; ++i) {
+        status =
+            brdfcl_device_open(bench->device_choice, all_lanes[i], 0, &bench->device[i], error);
+        bench->native = all_lanes[i] == native ? 2 + i : bench->native;
+    }
+    return status;
+}
+
+static brdf_status measure(struct bench *bench, struct brdf_error *error)
+{
+    brdf_status status = open_devices(bench, error);
+    if (status) {
+        return status;
+    }
+    bench->triad_near = bench_triad(bench->threads, (size_t)bench->count * 76 / 12, 9);
+    bench->triad_memory = bench_triad(bench->threads, (size_t)1 << 24, 5);
+    bench_report_begin(bench);
+    if (bench->materials.count) {
+        bench_report_heading(bench, "M evaluations/s");
+    }
+    for (int i = 0; i < bench->materials.count && !status; ++i) {
+        status = bench_material(bench, bench->materials.item[i], error);
+        if (status == BRDF_UNSUPPORTED) { /* a model that wants a file, and was not given one */
+            say("%s; left out", error->message);
+            status = BRDF_OK;
+        }
+    }
+    if (bench->scenes.count && !status) {
+        bench_report_heading(bench, "M samples/s");
+    }
+    for (int i = 0; i < bench->scenes.count && !status; ++i) {
+        status = bench_scene(bench, bench->scenes.item[i], error);
+    }
+    return status ? status : bench_report_end(bench, error);
+}
+
 int command_bench(int argc, char **argv)
 {
-    (void)argc;
-    (void)argv;
-    return EXIT_FAILED;
+    struct bench bench;
+    memset(&bench, 0, sizeof bench);
+    bench.count = 1 << 18;
+    int exit_status = read_command_line(&bench, argc, argv);
+    if (exit_status != OPTIONS_GO_ON) {
+        return exit_status;
+    }
+    long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    bench.threads = cores > 0 && cores < 256 ? (int)cores : 1;
+    choose_subjects(&bench);
+    struct brdf_error error = {BRDF_OK, ""};
+    brdf_status status = bench.json_path ? text_file_check(bench.json_path, &error) : BRDF_OK;
+    if (!status) {
+        status = measure(&bench, &error);
+    }
+    for (int i = 0; i < BENCH_LANES; ++i) {
+        brdfcl_device_close(bench.device[i]);
+    }
+    json_free(&bench.json);
+    if (status) {
+        return say_error(&error);
+    }
+    if (bench.differs) {
+        say("some results differ from those of C: see the table");
+        return EXIT_FAILED;
+    }
+    return EXIT_DONE;
 }
