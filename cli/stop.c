@@ -37,7 +37,7 @@ void stop_install(void)
 
 void stop_set_phase(enum stop_phase phase)
 {
-    current_phase = phase;
+    current_phase = (sig_atomic_t)phase;
 }
 
 int stop_signal(void)

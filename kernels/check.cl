@@ -1,9 +1,10 @@
 /*
  * check.cl - eval, pdf and sample of one material over arrays, to be compared with C.
  *
- * CHECK_MODEL, CHECK_FLAGS and CHECK_CHOICES are what struct brdf_material holds, as constants, so that
- * only the code of this variant is compiled, as in a render. Arrays are planes of `packets` packets:
- * of `input` wo, wi and u, of `output` f, pdf, and a sample's wi, weight, pdf, eta and delta.
+ * CHECK_MODEL, CHECK_FLAGS and CHECK_CHOICES are what struct brdf_material holds, as constants, so
+ * that only the code of this variant is compiled, as in a render. Arrays are planes of `packets`
+ * packets: of `input` wo, wi and u, of `output` f, pdf, and a sample's wi, weight, pdf, eta and
+ * delta.
  */
 #include "brdf/surface.h"
 
@@ -12,7 +13,8 @@ static inline brdf_vec3 check_load(global const brdf_real *input, unsigned packe
     return brdf_vec3_make(input[packet], input[packets + packet], input[2u * packets + packet]);
 }
 
-static inline void check_store(global brdf_real *output, unsigned packets, unsigned packet, brdf_vec3 v)
+static inline void check_store(global brdf_real *output, unsigned packets, unsigned packet,
+                               brdf_vec3 v)
 {
     output[packet] = v.x;
     output[packets + packet] = v.y;
@@ -24,8 +26,8 @@ static inline brdf_vec3 check_color(brdf_rgb c)
     return brdf_vec3_make(c.r, c.g, c.b);
 }
 
-kernel void check(global const float *word, global const float *table, unsigned packets, global const brdf_real *input,
-                  global brdf_real *output)
+kernel void check(global const float *word, global const float *table, unsigned packets,
+                  global const brdf_real *input, global brdf_real *output)
 {
     unsigned packet = (unsigned)get_global_id(0);
     brdf_vec3 wo = check_load(input, packets, packet);

@@ -1,13 +1,13 @@
 /*
  * models.h - the list of models: one line each. To add a model, write its file and add its line.
  *
- * Each model file defines its struct and functions once (inside its include guard) and then, outside
- * the guard, announces itself:
+ * Each model file defines its struct and functions once (inside its include guard) and then,
+ * outside the guard, announces itself:
  *
  *   BRDF_MODEL(name, NAME, flags, summary, reference)
  *
- * Whoever needs code per model defines BRDF_MODEL, includes this list, and undefines it again; that is
- * why this file has no include guard. model.h does it for the tag, the union and the dispatch.
+ * Whoever needs code per model defines BRDF_MODEL, includes this list, and undefines it again; that
+ * is why this file has no include guard. model.h does it for the tag, the union and the dispatch.
  */
 #include "model/diffuse.h"
 #include "model/phong.h"

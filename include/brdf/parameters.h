@@ -5,10 +5,10 @@
  *
  *   P(kind, name, initial, low, high, unit, meaning)
  *
- *   CHOICE  one of several named options, the same for all lanes; `unit` names them: "ggx|beckmann",
- *           initial is the option's number. In the struct: int.
- *   REAL    one number in [low, high], `unit` as a string ("1" if it has none; "ior" also accepts the
- *           name of a dielectric). In the struct: brdf_real.
+ *   CHOICE  one of several named options, the same for all lanes; `unit` names them, as in
+ *           "ggx|beckmann", and initial is the option's number. In the struct: int.
+ *   REAL    one number in [low, high], `unit` as a string ("1" if it has none; "ior" also accepts
+ *           the name of a dielectric). In the struct: brdf_real.
  *   COLOR   linear Rec. 709, each channel in [low, high]. In the struct: brdf_rgb.
  *   ALIAS   host only: a name that sets several others, named in `unit`: "alpha_u|alpha_v".
  *   METAL   host only: the name of a metal that sets the colours `eta` and `k`.

@@ -53,8 +53,8 @@ struct brdf_error {
 BRDF_API const char *brdf_status_text(brdf_status status);
 
 /*
- * Fill the error (unless it is NULL) with a sentence made as printf would, and return the status, so
- * that a function can end with `return brdf_fail(error, BRDF_IO, "%s: %s", path, reason)`.
+ * Fill the error (unless it is NULL) with a sentence made as printf would, and return the status,
+ * so that a function can end with `return brdf_fail(error, BRDF_IO, "%s: %s", path, reason)`.
  */
 #ifdef __GNUC__
 __attribute__((format(printf, 3, 4)))

@@ -20,12 +20,12 @@ struct brdfcl_device_info {
     char name[128];
     char version[128];
     char driver[128];
-    int cpu;                     /* 1 for a processor: memory is shared with the host */
-    int compute_units;           /* cores */
-    int native_lanes;            /* CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT, at least 1 */
-    unsigned long long memory;   /* bytes */
-    unsigned long long largest;  /* bytes of the largest buffer */
-    int available;               /* 0: the device says that it cannot be used now */
+    int cpu;                    /* 1 for a processor: memory is shared with the host */
+    int compute_units;          /* cores */
+    int native_lanes;           /* CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT, at least 1 */
+    unsigned long long memory;  /* bytes */
+    unsigned long long largest; /* bytes of the largest buffer */
+    int available;              /* 0: the device says that it cannot be used now */
 };
 
 /* How many devices all platforms have together; 0 where there is no OpenCL at all. */
@@ -39,8 +39,8 @@ BRDFCL_API brdf_status brdfcl_device_describe(int index, struct brdfcl_device_in
 struct brdfcl_device;
 
 /*
- * Open a device by number ("0") or by a part of its name or platform ("pocl", case ignored); NULL or
- * "" opens the first processor, or else the first device. `lanes` is 1, 4, 8 or 16, or 0 for the
+ * Open a device by number ("0") or by a part of its name or platform ("pocl", case ignored); NULL
+ * or "" opens the first processor, or else the first device. `lanes` is 1, 4, 8 or 16, or 0 for the
  * device's native width. `threads` limits the cores of a processor, 0 = all (PoCL reads it once a
  * process, at its first use). BRDF_NO_DEVICE says what was looked for and what there is.
  */

@@ -60,7 +60,7 @@ BRDFCL_API brdf_status brdfcl_scene_set_depth(struct brdfcl_scene *scene, int ma
                                               struct brdf_error *error);
 BRDFCL_API void brdfcl_scene_set_seed(struct brdfcl_scene *scene, int seed);
 
-/* Remarks of loading (a sampler that was mapped, triangles that were dropped); NULL past the last. */
+/* Remarks of loading (a sampler that was mapped, triangles dropped); NULL past the last. */
 BRDFCL_API const char *brdfcl_scene_note(const struct brdfcl_scene *scene, size_t index);
 
 #ifdef __cplusplus

@@ -1,5 +1,5 @@
 /*
- * scene.h - a scene in the host's memory: what the loader makes and world.c lays out for the device.
+ * scene.h - a scene in the host's memory: what the loader makes and world.c lays out.
  */
 #ifndef BRDFCL_LIB_SCENE_H
 #define BRDFCL_LIB_SCENE_H
