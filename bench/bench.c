@@ -2,6 +2,7 @@
 #define _POSIX_C_SOURCE 200809L
 #include "bench.h"
 
+#include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -50,11 +51,37 @@ static int read_command_line(struct bench *bench, int argc, char **argv)
     return status;
 }
 
+static void add_material(struct bench *bench, const char *model, const char *parameter,
+                         const char *option)
+{
+    int index = bench->materials.count;
+    if (index < 64) {
+        char *name = bench->material_names[index];
+        snprintf(name, sizeof bench->material_names[index], "%s%s%s%s%s", model, option ? ":" : "",
+                 option ? parameter : "", option ? "=" : "", option ? option : "");
+        bench->materials.item[bench->materials.count++] = name;
+    }
+}
+
+/* A model as it is initially; where it has options, once with each of the first choice. */
+static void add_model(struct bench *bench, const struct brdf_model_info *model)
+{
+    const struct brdf_parameter_info *first = model->parameters;
+    char option[32];
+    if (model->parameter_count == 0 || first->kind != BRDF_KIND_CHOICE) {
+        add_material(bench, model->name, NULL, NULL);
+        return;
+    }
+    for (int i = 0; brdf_parameter_item(first, i, option, sizeof option); ++i) {
+        add_material(bench, model->name, first->name, option);
+    }
+}
+
 static void choose_subjects(struct bench *bench)
 {
     int nothing_named = bench->materials.count == 0 && bench->scenes.count == 0;
-    for (int tag = 0; nothing_named && tag < brdf_model_count() && tag < 64; ++tag) {
-        bench->materials.item[bench->materials.count++] = brdf_model_info(tag)->name;
+    for (int tag = 0; nothing_named && tag < brdf_model_count(); ++tag) {
+        add_model(bench, brdf_model_info(tag));
     }
     if (nothing_named && access(cornell, R_OK) == 0) {
         bench->scenes.item[bench->scenes.count++] = cornell;

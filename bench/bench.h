@@ -39,6 +39,7 @@ struct bench_row {
 struct bench {
     struct texts scenes;
     struct texts materials;
+    char material_names[64][64]; /* of those that nobody named */
     const char *json_path;
     const char *device_choice;
     int quick;

@@ -38,7 +38,7 @@ void bench_report_begin(struct bench *bench)
 
 void bench_report_heading(const struct bench *bench, const char *what)
 {
-    printf("\n%-24s %-15s %8s %5s %2d", what, "operation", "C 1", "C", bench->threads);
+    printf("\n%-32s %-15s %8s %5s %2d", what, "operation", "C 1", "C", bench->threads);
     for (int i = 0; i < BENCH_LANES; ++i) {
         printf("  %2d lane%s", brdfcl_device_lanes(bench->device[i]),
                brdfcl_device_lanes(bench->device[i]) == 1 ? " " : "s");
@@ -57,7 +57,7 @@ static void print_row(const struct bench *bench, const struct bench_row *row)
 {
     const struct bench_contender *native = &row->contender[bench->native];
     size_t differing = 0;
-    printf("%-24.24s %-15s", row->subject, row->operation);
+    printf("%-32.32s %-15s", row->subject, row->operation);
     for (int i = 0; i < BENCH_CONTENDERS; ++i) {
         printf(i < 2 ? " %8.4g" : "  %8.4g", row->contender[i].median * 1e-6);
         differing += row->contender[i].differing;

@@ -1,7 +1,9 @@
 /*
  * main.c - brdfcl: finds the subcommand and runs it.
  */
+#define _XOPEN_SOURCE 700 /* SIGXFSZ */
 #include <errno.h>
+#include <signal.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -71,6 +73,7 @@ static int run(int argc, char **argv)
 
 int main(int argc, char **argv)
 {
+    signal(SIGXFSZ, SIG_IGN); /* a limit on the size of files is an error like a full disk */
     int status = run(argc, argv);
     /* A result that did not reach its file is no result: a full disk shows only now. */
     if (fflush(stdout) || ferror(stdout)) {

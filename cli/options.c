@@ -104,6 +104,25 @@ static enum parse_result set_value(const struct option *option, const char *text
     }
 }
 
+/* A value that is not of the kind wanted: say what would be. */
+static int say_malformed(const struct option *option, const char *shown, const char *text)
+{
+    switch (option->kind) {
+    case OPTION_INT:
+        return say_usage("%s '%s': expected a whole number from %.15g to %.15g", shown, text,
+                         option->low, option->high);
+    case OPTION_REAL:
+        return say_usage("%s '%s': expected a number from %.15g to %.15g", shown, text, option->low,
+                         option->high);
+    case OPTION_SIZE:
+        return say_usage("%s '%s': expected WIDTHxHEIGHT in pixels, as in 640x480", shown, text);
+    case OPTION_ANGLES:
+        return say_usage("%s '%s': expected THETA,PHI in degrees, as in 30,180", shown, text);
+    default:
+        return say_usage("%s '%s': expected one of %s", shown, text, option->value);
+    }
+}
+
 /* Give an option its value; an exit status, or OPTIONS_GO_ON. */
 static int apply(const struct option *option, const char *shown, const char *text)
 {
@@ -115,7 +134,7 @@ static int apply(const struct option *option, const char *shown, const char *tex
     case PARSE_OK:
         return OPTIONS_GO_ON;
     case PARSE_MALFORMED:
-        return say_usage("%s '%s': expected %s", shown, text, option->value);
+        return say_malformed(option, shown, text);
     default:
         break;
     }

@@ -9,7 +9,7 @@
 #include "brdf/surface.h"
 
 #define EVALUATE_ARGUMENTS                                                                         \
-    global const float *restrict word, global const float *restrict table, unsigned packets,       \
+    global const float *restrict word, global const float *restrict table, ulong packets,          \
         global const brdf_real *restrict input, global brdf_real *restrict output
 
 static inline brdf_parameters evaluate_parameters(global const float *word)
@@ -17,37 +17,36 @@ static inline brdf_parameters evaluate_parameters(global const float *word)
     return brdf_parameters_load(EVALUATE_MODEL, EVALUATE_CHOICES, word);
 }
 
-static inline brdf_vec3 evaluate_load(global const brdf_real *planes, unsigned packets,
-                                      unsigned packet)
+static inline brdf_vec3 evaluate_load(global const brdf_real *planes, size_t packets, size_t packet)
 {
-    return brdf_vec3_make(planes[packet], planes[packets + packet], planes[2u * packets + packet]);
+    return brdf_vec3_make(planes[packet], planes[packets + packet], planes[2 * packets + packet]);
 }
 
-static inline void evaluate_store_color(global brdf_real *planes, unsigned packets, unsigned packet,
+static inline void evaluate_store_color(global brdf_real *planes, size_t packets, size_t packet,
                                         brdf_rgb c)
 {
     planes[packet] = c.r;
     planes[packets + packet] = c.g;
-    planes[2u * packets + packet] = c.b;
+    planes[2 * packets + packet] = c.b;
 }
 
-static inline void evaluate_store_sample(global brdf_real *planes, unsigned packets,
-                                         unsigned packet, struct brdf_sample s)
+static inline void evaluate_store_sample(global brdf_real *planes, size_t packets, size_t packet,
+                                         struct brdf_sample s)
 {
     planes[packet] = s.wi.x;
     planes[packets + packet] = s.wi.y;
-    planes[2u * packets + packet] = s.wi.z;
-    evaluate_store_color(planes + 3u * packets, packets, packet, s.weight);
-    planes[6u * packets + packet] = s.pdf;
-    planes[7u * packets + packet] = s.eta;
-    planes[8u * packets + packet] = brdf_from_bits(brdf_pick_int(s.delta != 0, 1, 0));
+    planes[2 * packets + packet] = s.wi.z;
+    evaluate_store_color(planes + 3 * packets, packets, packet, s.weight);
+    planes[6 * packets + packet] = s.pdf;
+    planes[7 * packets + packet] = s.eta;
+    planes[8 * packets + packet] = brdf_from_bits(brdf_pick_int(s.delta != 0, 1, 0));
 }
 
 kernel void evaluate_eval(EVALUATE_ARGUMENTS)
 {
-    unsigned packet = (unsigned)get_global_id(0);
+    size_t packet = get_global_id(0);
     brdf_vec3 wo = evaluate_load(input, packets, packet);
-    brdf_vec3 wi = evaluate_load(input + 3u * packets, packets, packet);
+    brdf_vec3 wi = evaluate_load(input + 3 * packets, packets, packet);
     evaluate_store_color(output, packets, packet,
                          brdf_surface_eval(EVALUATE_MODEL, EVALUATE_FLAGS,
                                            evaluate_parameters(word), wo, wi, table));
@@ -55,33 +54,33 @@ kernel void evaluate_eval(EVALUATE_ARGUMENTS)
 
 kernel void evaluate_pdf(EVALUATE_ARGUMENTS)
 {
-    unsigned packet = (unsigned)get_global_id(0);
+    size_t packet = get_global_id(0);
     brdf_vec3 wo = evaluate_load(input, packets, packet);
-    brdf_vec3 wi = evaluate_load(input + 3u * packets, packets, packet);
-    output[3u * packets + packet] =
+    brdf_vec3 wi = evaluate_load(input + 3 * packets, packets, packet);
+    output[3 * packets + packet] =
         brdf_surface_pdf(EVALUATE_MODEL, EVALUATE_FLAGS, evaluate_parameters(word), wo, wi, table);
 }
 
 kernel void evaluate_sample(EVALUATE_ARGUMENTS)
 {
-    unsigned packet = (unsigned)get_global_id(0);
+    size_t packet = get_global_id(0);
     brdf_vec3 wo = evaluate_load(input, packets, packet);
-    brdf_vec3 u = evaluate_load(input + 6u * packets, packets, packet);
-    evaluate_store_sample(output + 4u * packets, packets, packet,
+    brdf_vec3 u = evaluate_load(input + 6 * packets, packets, packet);
+    evaluate_store_sample(output + 4 * packets, packets, packet,
                           brdf_surface_sample(EVALUATE_MODEL, EVALUATE_FLAGS,
                                               evaluate_parameters(word), wo, u, table));
 }
 
 kernel void evaluate_bounce(EVALUATE_ARGUMENTS)
 {
-    unsigned packet = (unsigned)get_global_id(0);
+    size_t packet = get_global_id(0);
     brdf_vec3 wo = evaluate_load(input, packets, packet);
-    brdf_vec3 u = evaluate_load(input + 6u * packets, packets, packet);
+    brdf_vec3 u = evaluate_load(input + 6 * packets, packets, packet);
     brdf_parameters p = evaluate_parameters(word);
     struct brdf_sample s = brdf_surface_sample(EVALUATE_MODEL, EVALUATE_FLAGS, p, wo, u, table);
     evaluate_store_color(output, packets, packet,
                          brdf_surface_eval(EVALUATE_MODEL, EVALUATE_FLAGS, p, wo, s.wi, table));
-    output[3u * packets + packet] =
+    output[3 * packets + packet] =
         brdf_surface_pdf(EVALUATE_MODEL, EVALUATE_FLAGS, p, wo, s.wi, table);
-    evaluate_store_sample(output + 4u * packets, packets, packet, s);
+    evaluate_store_sample(output + 4 * packets, packets, packet, s);
 }

@@ -216,7 +216,7 @@ static brdf_status get_samples(struct brdfcl_evaluator *evaluator, size_t count,
 static brdf_status set_arguments(struct brdfcl_evaluator *evaluator, cl_kernel kernel,
                                  struct brdf_error *error)
 {
-    cl_uint packets = (cl_uint)(evaluator->stride / (size_t)evaluator->device->lanes);
+    cl_ulong packets = (cl_ulong)(evaluator->stride / (size_t)evaluator->device->lanes);
     cl_int cl = clSetKernelArg(kernel, 0, sizeof(cl_mem), &evaluator->word);
     cl = cl ? cl : clSetKernelArg(kernel, 1, sizeof(cl_mem), &evaluator->table);
     cl = cl ? cl : clSetKernelArg(kernel, 2, sizeof packets, &packets);
