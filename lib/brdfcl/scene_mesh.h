@@ -31,6 +31,10 @@ brdf_status mesh_read(const struct scene_loader *loader, const struct xml_node *
                       struct mesh *mesh);
 void mesh_free(struct mesh *mesh);
 
+/* Fail unless the bytes of a ply file have a complete header, and as much behind it as it says. */
+brdf_status mesh_check_ply(const struct scene_loader *loader, const struct xml_node *node,
+                           const char *path, const char *bytes, size_t length);
+
 /* Number the vertices of corners anew: those at the same place with the same texture coordinates
    are one. 0 if there is no memory left. */
 int mesh_join(struct mesh *mesh);

@@ -201,6 +201,9 @@ brdf_status mesh_read(const struct scene_loader *loader, const struct xml_node *
     size_t length = 0;
     brdf_status status = mesh_read_bytes(&source, &bytes, &length);
     memset(mesh, 0, sizeof *mesh);
+    if (!status && strcmp(options->type, "ply") == 0) {
+        status = mesh_check_ply(loader, node, path, bytes, length);
+    }
     if (status) {
         goto done;
     }

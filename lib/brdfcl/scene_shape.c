@@ -18,7 +18,7 @@ struct shape_draft {
     const struct xml_node *node;
     double to_world[16];
     int flip_normals;
-    int face_normals;
+    int face_normals; /* of meshes; cube and rectangle are flat, it changes nothing there */
     int surface;
 };
 
@@ -50,8 +50,7 @@ static brdf_status shape_planar(struct scene_loader *loader, const struct shape_
     float *row = NULL;
     double v[3];
     brdf_status status = shape_row(loader, shape, kind, &row);
-    int mirrored = scene_matrix_determinant(shape->to_world) < 0.0;
-    int flip = (mirrored && !shape->face_normals) ^ !outward ^ shape->flip_normals;
+    int flip = (scene_matrix_determinant(shape->to_world) < 0.0) ^ !outward ^ shape->flip_normals;
     if (status) {
         return status;
     }
@@ -65,13 +64,11 @@ static brdf_status shape_planar(struct scene_loader *loader, const struct shape_
     return BRDF_OK;
 }
 
-/* Its normals are never those of its faces, whatever face_normals says. */
-static brdf_status shape_rectangle(struct scene_loader *loader, struct shape_draft *shape)
+static brdf_status shape_rectangle(struct scene_loader *loader, const struct shape_draft *shape)
 {
     static const double corner[3] = {-1.0, -1.0, 0.0};
     static const double e1[3] = {2.0, 0.0, 0.0};
     static const double e2[3] = {0.0, 2.0, 0.0};
-    shape->face_normals = 0;
     return shape_planar(loader, shape, PT_RECTANGLE, corner, e1, e2, 1);
 }
 
