@@ -195,14 +195,20 @@ static int run_model(const struct brdf_model_info *model, const struct model_che
     char(*names)[128] = calloc(count, sizeof *names);
     assert_non_null(tests);
     assert_non_null(names);
+    size_t used = 0;
     for (size_t i = 0; i < count; ++i) {
-        snprintf(names[i], sizeof names[i], "%s: %s", model->name, checks[i].name);
-        tests[i].name = names[i];
-        tests[i].test_func = checks[i].run;
-        tests[i].setup_func = reset;
-        tests[i].initial_state = cases;
+        unsigned wanted = checks[i].needs | checks[i].excludes;
+        if ((model->flags & wanted) != checks[i].needs) {
+            continue;
+        }
+        snprintf(names[used], sizeof names[used], "%s: %s", model->name, checks[i].name);
+        tests[used].name = names[used];
+        tests[used].test_func = checks[i].run;
+        tests[used].setup_func = reset;
+        tests[used].initial_state = cases;
+        ++used;
     }
-    int failures = _cmocka_run_group_tests(model->name, tests, count, NULL, NULL);
+    int failures = _cmocka_run_group_tests(model->name, tests, used, NULL, NULL);
     free(tests);
     free(names);
     cases_destroy(cases);

@@ -34,6 +34,8 @@ struct model_cases {
 struct model_check {
     const char *name;
     void (*run)(void **state);
+    unsigned needs;    /* flags of the models that it is for */
+    unsigned excludes; /* flags of those that it is not for */
 };
 
 /*

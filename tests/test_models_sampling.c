@@ -176,7 +176,7 @@ static void samples_have_the_density(void **state)
 int main(void)
 {
     const struct model_check checks[] = {
-        {"samples have the density (mass and chi-square)", samples_have_the_density},
+        {"samples have the density (mass and chi-square)", samples_have_the_density, 0, BRDF_DELTA},
     };
     return models_run(checks, sizeof checks / sizeof checks[0]);
 }

@@ -16,7 +16,8 @@ enum {
     MATERIALS = 64,
     INPUTS = 9,   /* planes of check.cl: wo, wi, u */
     OUTPUTS = 13, /* planes of check.cl: f, pdf, and a sample's wi, weight, pdf, eta, delta */
-    OPERATIONS = 3
+    OPERATIONS = 3,
+    GROUP = 256 /* calls in a work-group, at any lanes */
 };
 
 /* The planes of each operation's results: [first, end). */
@@ -148,8 +149,10 @@ static brdf_status run_opencl(struct check *check, struct brdf_error *error)
         status = set_arguments(check, error);
     }
     if (!status) {
+        /* Left to itself, PoCL takes thousands of work-items a group, and their stack runs out. */
+        size_t group = GROUP / (size_t)check->device->lanes;
         cl_int cl = clEnqueueNDRangeKernel(check->device->queue, check->kernel, 1, NULL, &packets,
-                                           NULL, 0, NULL, NULL);
+                                           &group, 0, NULL, NULL);
         status = opencl_check(cl, "clEnqueueNDRangeKernel", error);
     }
     if (!status) {
@@ -325,7 +328,7 @@ brdf_status brdfcl_check_model(struct brdfcl_device *device, int model, size_t c
     int variants = brdfcl_check_variant_count(info);
     int batches = (MATERIALS + variants - 1) / variants;
     size_t calls = count / (size_t)(variants * batches) + 1;
-    check->stride = (calls + 63) / 64 * 64; /* whole packets at any lanes */
+    check->stride = (calls + GROUP - 1) / GROUP * GROUP;
     for (int k = 0; k < OPERATIONS; ++k) {
         check->result[k].model = info->name;
         check->result[k].operation = operations[k].name;

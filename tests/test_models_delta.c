@@ -1,0 +1,294 @@
+/*
+ * test_models_delta.c - lobes of a single direction: their probabilities, their way back, and what
+ * exact Fresnel says of a smooth dielectric.
+ */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include <cmocka.h>
+
+#include "support_models.h"
+
+enum {
+    LOBES = 8, /* at most, of one direction */
+    STEPS = 2048
+};
+
+/* The delta lobes of a direction, found by going through the numbers that choose among lobes. */
+struct lobes {
+    struct brdf_sample lobe[LOBES];
+    int hits[LOBES];
+    int count;
+    int nothing; /* numbers for which there is no sample, or none that is a delta */
+};
+
+static float distance(brdf_vec3 a, brdf_vec3 b)
+{
+    brdf_vec3 d = brdf_sub(a, b);
+    return sqrtf(brdf_dot(d, d));
+}
+
+static struct lobes find_lobes(const struct brdf_bsdf *bsdf, brdf_vec3 wo)
+{
+    struct lobes found = {.count = 0};
+    for (int step = 0; step < STEPS; ++step) {
+        brdf_vec3 u = models_even_point((size_t)step, STEPS);
+        u.z = ((float)step + 0.5f) / STEPS;
+        struct brdf_sample s = brdf_sample(bsdf, wo, u);
+        if (s.pdf <= 0.0f || !s.delta) {
+            ++found.nothing;
+            continue;
+        }
+        int i = 0;
+        while (i < found.count && distance(found.lobe[i].wi, s.wi) > 1e-4f) {
+            ++i;
+        }
+        if (i == found.count) {
+            assert_true(found.count < LOBES);
+            found.lobe[found.count] = s;
+            found.hits[found.count++] = 0;
+        }
+        ++found.hits[i];
+    }
+    return found;
+}
+
+/* What the lobe does to radiance [1]. */
+static float coefficient(struct brdf_sample s)
+{
+    return s.weight.g * s.pdf;
+}
+
+static void values_are_zero(void **state)
+{
+    struct model_cases *cases = *state;
+    struct brdfcl_random random = {31};
+    for (size_t i = 0; i < cases->count; ++i) {
+        const struct model_case *one = &cases->items[i];
+        for (int k = 0; k < 10000; ++k) {
+            struct brdfcl_check_input in = brdfcl_check_input_make(&random);
+            struct brdf_sample s = brdf_sample(&one->bsdf, in.wo, in.u);
+            brdf_vec3 wi = s.pdf > 0.0f ? s.wi : in.wi; /* even right on the lobe */
+            if (brdf_rgb_largest(brdf_eval(&one->bsdf, in.wo, wi)) != 0.0f ||
+                brdf_pdf(&one->bsdf, in.wo, wi) != 0.0f || (s.pdf > 0.0f && !s.delta)) {
+                models_fail(cases, one, "f or the density is not 0, or a sample is no delta");
+            }
+        }
+    }
+    models_verdict(cases);
+}
+
+/* Each lobe comes up as often as it says, and all of them together always. */
+static void probabilities_hold(void **state)
+{
+    struct model_cases *cases = *state;
+    struct brdfcl_random random = {32};
+    for (size_t i = 0; i < cases->count; ++i) {
+        const struct model_case *one = &cases->items[i];
+        for (int k = 0; k < 200; ++k) {
+            brdf_vec3 wo = brdfcl_random_direction(&random);
+            struct lobes found = find_lobes(&one->bsdf, wo);
+            float sum = 0.0f;
+            for (int j = 0; j < found.count; ++j) {
+                float often = (float)found.hits[j] / STEPS;
+                sum += found.lobe[j].pdf;
+                if (!(fabsf(often - found.lobe[j].pdf) <= 2.0f / STEPS)) {
+                    models_fail(cases, one, "a lobe of probability %.6f comes up in %.6f",
+                                (double)found.lobe[j].pdf, (double)often);
+                }
+            }
+            float rest = (float)found.nothing / STEPS;
+            if (!(fabsf(sum + rest - 1.0f) <= 2.0f / STEPS)) {
+                models_fail(cases, one, "the probabilities sum to %.6f", (double)(sum + rest));
+            }
+        }
+    }
+    models_verdict(cases);
+}
+
+/*
+ * How far rounding may take the way back off: sin^2 = 1 - cos^2 has an absolute error of 1e-7, the
+ * ratio of indices scales it, and it becomes that of a small cosine by division by it, twice.
+ */
+static float allowance(brdf_vec3 wo, struct brdf_sample there)
+{
+    float ratio = brdf_max(there.eta, 1.0f / there.eta);
+    float cosine = brdf_min(fabsf(wo.z), fabsf(there.wi.z));
+    return 1e-4f + 1e-6f * ratio * ratio / brdf_max(cosine * cosine, 1e-10f);
+}
+
+/* Along each lobe and back: the same path, and c eta^2 = c' eta'^2 [Veach 1997, 5.3]. */
+static void way_back(struct model_cases *cases, const struct model_case *one, brdf_vec3 wo,
+                     struct brdf_sample there, float allowed)
+{
+    struct lobes found = find_lobes(&one->bsdf, there.wi);
+    for (int i = 0; i < found.count; ++i) {
+        struct brdf_sample back = found.lobe[i];
+        if (distance(back.wi, wo) > allowed) {
+            continue;
+        }
+        float a = coefficient(there) * there.eta * there.eta;
+        float b = coefficient(back) * back.eta * back.eta;
+        if (!(fabsf(there.eta * back.eta - 1.0f) <= 1e-5f) ||
+            !(fabsf(a - b) <= allowed * brdf_max(a, b) + 1e-6f)) {
+            models_fail(cases, one, "there %.6g (eta %.6g), back %.6g (eta %.6g)",
+                        (double)coefficient(there), (double)there.eta, (double)coefficient(back),
+                        (double)back.eta);
+        }
+        return;
+    }
+    models_fail(cases, one, "there is no way back from %.6g/%.6g/%.6g to %.6g/%.6g/%.6g",
+                (double)there.wi.x, (double)there.wi.y, (double)there.wi.z, (double)wo.x,
+                (double)wo.y, (double)wo.z);
+}
+
+static void lobes_are_reciprocal(void **state)
+{
+    struct model_cases *cases = *state;
+    struct brdfcl_random random = {33};
+    for (size_t i = 0; i < cases->count; ++i) {
+        const struct model_case *one = &cases->items[i];
+        for (int k = 0; k < 100; ++k) {
+            brdf_vec3 wo = brdfcl_random_direction(&random);
+            struct lobes found = find_lobes(&one->bsdf, wo);
+            for (int j = 0; j < found.count; ++j) {
+                float allowed = allowance(wo, found.lobe[j]);
+                /* Lobes too rare to be found again are left alone. */
+                if (found.lobe[j].pdf > 4.0f / STEPS && allowed < 0.01f) {
+                    way_back(cases, one, wo, found.lobe[j], allowed);
+                }
+            }
+        }
+    }
+    models_verdict(cases);
+}
+
+/* Fresnel's equations in angles, another form than that of the library [Born and Wolf, 1.5.2]. */
+static double fresnel(double cosine, double eta)
+{
+    double incident = acos(cosine);
+    double sine = sin(incident) / eta;
+    if (sine >= 1.0) {
+        return 1.0;
+    }
+    if (incident < 1e-6) {
+        return pow((eta - 1.0) / (eta + 1.0), 2.0);
+    }
+    double refracted = asin(sine);
+    double s = sin(incident - refracted) / sin(incident + refracted);
+    double p = tan(incident - refracted) / tan(incident + refracted);
+    return 0.5 * (s * s + p * p);
+}
+
+static struct brdf_bsdf *glass(double eta)
+{
+    struct brdf_setting settings[] = {brdf_setting_real("int_ior", (float)eta),
+                                      brdf_setting_real("ext_ior", 1.0f)};
+    struct brdf_bsdf *bsdf;
+    struct brdf_error error;
+    if (brdf_bsdf_create_from("dielectric", settings, 2, &bsdf, &error)) {
+        fail_msg("%s", error.message);
+    }
+    return bsdf;
+}
+
+/* What is reflected, and what passes with the scaling of radiance undone. */
+static void reflected_and_passed(const struct brdf_bsdf *bsdf, double cosine, double *reflected,
+                                 double *passed)
+{
+    float radius = (float)sqrt(1.0 - cosine * cosine);
+    struct lobes found =
+        find_lobes(bsdf, brdf_vec3_make(0.6f * radius, 0.8f * radius, (float)cosine));
+    *reflected = 0.0;
+    *passed = 0.0;
+    for (int i = 0; i < found.count; ++i) {
+        struct brdf_sample s = found.lobe[i];
+        double c = (double)coefficient(s);
+        if (((double)s.wi.z > 0.0) == (cosine > 0.0)) {
+            *reflected += c;
+        } else {
+            *passed += c * (double)s.eta * (double)s.eta;
+        }
+    }
+}
+
+static void dielectric_is_fresnel_and_loses_nothing(void **state)
+{
+    (void)state;
+    static const double etas[] = {1.33, 1.5, 2.419, 0.7};
+    for (size_t k = 0; k < sizeof etas / sizeof etas[0]; ++k) {
+        struct brdf_bsdf *bsdf = glass(etas[k]);
+        for (int i = -50; i <= 50; ++i) {
+            double cosine = i / 50.0;
+            double reflected;
+            double passed;
+            if (i == 0) {
+                continue;
+            }
+            reflected_and_passed(bsdf, cosine, &reflected, &passed);
+            double exact = fresnel(fabs(cosine), cosine > 0.0 ? etas[k] : 1.0 / etas[k]);
+            /* A lobe that comes up less often than once in STEPS may not have been found. */
+            double lost = 1.0 / STEPS;
+            if (!(fabs(reflected - exact) <= (exact < lost ? lost : 2e-5)) ||
+                !(fabs(reflected + passed - 1.0) <= lost)) {
+                fail_msg("eta %g, cos %g: R = %.6f, T = %.6f, exact R = %.6f", etas[k], cosine,
+                         reflected, passed, exact);
+            }
+        }
+        brdf_bsdf_destroy(bsdf);
+    }
+}
+
+/* Means of R over the hemisphere, 2 R cos dcos, from outside and inside: known to six digits. */
+static void dielectric_has_its_mean_reflectance(void **state)
+{
+    (void)state;
+    static const struct {
+        double eta;
+        double outside;
+        double inside;
+    } rows[] = {{1.33, .065931, .471949}, {1.49, .090306, .590246}, {1.5, .091778, .596346},
+                {1.6, .106246, .650877},  {1.8, .134054, .732733},  {2.0, .160597, .790149},
+                {2.419, .212423, .865407}};
+    for (size_t k = 0; k < sizeof rows / sizeof rows[0]; ++k) {
+        struct brdf_bsdf *bsdf = glass(rows[k].eta);
+        double mean[2] = {0.0, 0.0};
+        int count = 20000;
+        for (int i = 0; i < count; ++i) {
+            float cosine = ((float)i + 0.5f) / (float)count;
+            float radius = sqrtf(1.0f - cosine * cosine);
+            for (int side = 0; side < 2; ++side) {
+                brdf_vec3 wo = brdf_vec3_make(radius, 0.0f, side ? -cosine : cosine);
+                struct brdf_sample s =
+                    brdf_sample(bsdf, wo, brdf_vec3_make(0.5f, 0.5f, 0.0f)); /* reflects */
+                assert_true(s.eta == 1.0f);
+                mean[side] += 2.0 * (double)coefficient(s) * (double)cosine / count;
+            }
+        }
+        if (!(fabs(mean[0] - rows[k].outside) <= 3e-6) ||
+            !(fabs(mean[1] - rows[k].inside) <= 3e-6)) {
+            fail_msg("eta %g: %.6f outside (known %.6f), %.6f inside (known %.6f)", rows[k].eta,
+                     mean[0], rows[k].outside, mean[1], rows[k].inside);
+        }
+        brdf_bsdf_destroy(bsdf);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(dielectric_is_fresnel_and_loses_nothing),
+        cmocka_unit_test(dielectric_has_its_mean_reflectance),
+    };
+    const struct model_check checks[] = {
+        {"f and pdf of delta lobes are 0", values_are_zero, BRDF_DELTA, 0},
+        {"delta lobes come up as often as they say", probabilities_hold, 0, 0},
+        {"delta lobes are reciprocal", lobes_are_reciprocal, BRDF_RECIPROCAL, 0},
+    };
+    int failures = cmocka_run_group_tests_name("smooth dielectric", tests, NULL, NULL);
+    return failures + models_run(checks, sizeof checks / sizeof checks[0]);
+}
