@@ -33,7 +33,10 @@ BRDFCL_API brdf_status brdfcl_evaluator_create(struct brdfcl_device *device,
 /* NULL is fine. */
 BRDFCL_API void brdfcl_evaluator_destroy(struct brdfcl_evaluator *evaluator);
 
-/* f(wo, wi) [1/sr] of `count` elements, without the cosine. BRDF_DEVICE, BRDF_OUT_OF_MEMORY. */
+/*
+ * f(wo, wi) [1/sr] of `count` elements, without the cosine. BRDF_DEVICE, BRDF_OUT_OF_MEMORY,
+ * BRDF_OUT_OF_RANGE (more than 2^30 elements).
+ */
 BRDFCL_API brdf_status brdfcl_evaluator_eval(struct brdfcl_evaluator *evaluator, size_t count,
                                              struct brdf_vectors wo, struct brdf_vectors wi,
                                              struct brdf_colors f, struct brdf_error *error);

@@ -13,7 +13,7 @@
 #include "opencl.h"
 
 /* Whole packets at any lanes, and whole work-groups of them. */
-enum { PADDING = 1024 };
+enum { PADDING = 1024, COUNT_MAX = 1 << 30 };
 
 /* The planes of evaluate.cl. */
 enum {
@@ -140,16 +140,15 @@ static brdf_status fill_plane(struct brdfcl_evaluator *evaluator, size_t plane, 
 static brdf_status make_arrays(struct brdfcl_evaluator *evaluator, size_t count,
                                struct brdf_error *error)
 {
+    if (count > COUNT_MAX) {
+        return brdf_fail(error, BRDF_OUT_OF_RANGE,
+                         "%zu elements are too many for one call: at most %d", count, COUNT_MAX);
+    }
     size_t stride = (count + PADDING - 1) / PADDING * PADDING;
     if (stride == evaluator->stride) {
         return BRDF_OK;
     }
     release_arrays(evaluator);
-    if (stride > 0x7fffffffu / OUT_PLANES) {
-        return brdf_fail(error, BRDF_OUT_OF_RANGE,
-                         "%zu elements are too many for one call: at most %u", count,
-                         0x7fffffffu / OUT_PLANES);
-    }
     brdf_status status = opencl_buffer(evaluator->device, IN_PLANES * stride * sizeof(float),
                                        &evaluator->input, error);
     if (!status) {
