@@ -16,14 +16,12 @@
 #ifndef PT_BVH_H
 #define PT_BVH_H
 
-#include "intersect.h"
-#include "lanes.h"
+#include "bvh_leaf.h"
 
 /*
  * The node array starts with one line (16 words) about the whole, then come the nodes, then, as an
  * array of their own, the leaves. Line k of a record holds one word of each child or primitive.
- * A reference is the line at which a node begins, or ~(2 * line + s) for a leaf, s = 1 where it
- * holds spheres.
+ * A reference is the line at which a node begins, or ~(4 * line + PT_LEAF_...) for a leaf.
  */
 enum pt_bvh_word {
     PT_BVH_CENTRE = 0, /* 3 words: of the box of everything */
@@ -37,19 +35,9 @@ enum pt_node_line {
     PT_NODE_LINES = 7
 };
 
-enum pt_leaf_line {
-    PT_LEAF_P = 0,       /* 3 lines: struct pt_plane, or the centre of a sphere */
-    PT_LEAF_N = 3,       /* 3 lines; sphere: radius, 0, 0 */
-    PT_LEAF_A = 6,       /* 3 lines */
-    PT_LEAF_B = 9,       /* 3 lines */
-    PT_LEAF_KIND = 12,   /* int: PT_TRIANGLE ... */
-    PT_LEAF_NUMBER = 13, /* int: of the primitive; lanes without one have n = 0, which never hits */
-    PT_LEAF_LINES = 14
-};
-
 #define PT_BVH_DEPTH 20 /* levels of nodes at most; the builder keeps to it */
 #define PT_BVH_STACK (PT_BVH_DEPTH * (PT_WIDTH - 1))
-#define PT_BVH_NOWHERE (-2147483647 - 1) /* no reference: lines are fewer than 2^29 */
+#define PT_BVH_NOWHERE (-2147483647 - 1) /* no reference: lines are fewer than 2^27 */
 #define PT_BVH_SLACK 4.0e-6f    /* 67 units of rounding; the analysis above needs about 40 */
 #define PT_BVH_ROUNDING 2.4e-7f /* of the widened origin itself: 4 units */
 #define PT_BVH_STEEP 1.0e-18f   /* a smaller component of a direction is as good as 0 */
@@ -57,13 +45,6 @@ enum pt_leaf_line {
 struct pt_bvh_ray {
     float ox, oy, oz;
     float dx, dy, dz; /* unit */
-};
-
-struct pt_hit_record {
-    float t; /* PT_MISS_T: nothing is met */
-    float u;
-    float v;
-    int prim; /* number of the primitive, or -1 */
 };
 
 /* One axis of a ray as the box test wants it. */
@@ -189,70 +170,6 @@ static inline int pt_walk_on(struct pt_walk *walk, float far)
     return reference;
 }
 
-/* Where the ray meets the primitives of a chunk of a leaf. */
-static inline struct pt_distance pt_leaf_test(BRDF_GLOBAL const float *chunk, struct pt_ray ray,
-                                              int spheres)
-{
-#define PT_LEAF_LINE(line) pt_load_chunk(chunk + (line)*PT_WIDTH)
-#define PT_LEAF_VECTOR(line)                                                                       \
-    brdf_vec3_make(PT_LEAF_LINE(line), PT_LEAF_LINE(line + 1), PT_LEAF_LINE(line + 2))
-    brdf_int kind = pt_load_chunk_int(chunk + PT_LEAF_KIND * PT_WIDTH);
-    struct pt_plane plane;
-    plane.p = PT_LEAF_VECTOR(PT_LEAF_P);
-    plane.n = PT_LEAF_VECTOR(PT_LEAF_N);
-    plane.a = PT_LEAF_VECTOR(PT_LEAF_A);
-    plane.b = PT_LEAF_VECTOR(PT_LEAF_B);
-    struct pt_distance hit = pt_plane_distance(ray, plane, kind);
-    if (spheres) {
-        struct pt_distance round = pt_sphere_distance(ray, plane.p, plane.n.x);
-        brdf_mask is_sphere = kind == PT_SPHERE;
-        hit.t = brdf_pick(is_sphere, round.t, hit.t);
-        hit.u = brdf_pick(is_sphere, round.u, hit.u);
-        hit.v = brdf_pick(is_sphere, round.v, hit.v);
-    }
-    return hit;
-#undef PT_LEAF_LINE
-#undef PT_LEAF_VECTOR
-}
-
-/* Take over what is nearer in a leaf, or as near with a smaller number. */
-static inline struct pt_hit_record pt_leaf_closest(BRDF_GLOBAL const float *leaf, struct pt_ray ray,
-                                                   int spheres, struct pt_hit_record best)
-{
-    union pt_sixteen t;
-    union pt_sixteen u;
-    union pt_sixteen v;
-    unsigned bits = 0u;
-    for (int i = 0; i < PT_CHUNKS; ++i) {
-        struct pt_distance hit = pt_leaf_test(leaf + i * BRDF_LANES, ray, spheres);
-        t.chunk[i] = hit.t;
-        u.chunk[i] = hit.u;
-        v.chunk[i] = hit.v;
-        bits |= pt_mask_bits((hit.t <= best.t) & (hit.t < PT_MISS_T)) << (i * BRDF_LANES);
-    }
-    for (; bits; bits &= bits - 1u) {
-        int k = pt_lowest_bit(bits);
-        int number = pt_int_bits(leaf[PT_LEAF_NUMBER * PT_WIDTH + k]);
-        if (t.one[k] < best.t || (t.one[k] == best.t && number < best.prim)) {
-            best.t = t.one[k];
-            best.u = u.one[k];
-            best.v = v.one[k];
-            best.prim = number;
-        }
-    }
-    return best;
-}
-
-static inline int pt_leaf_occluded(BRDF_GLOBAL const float *leaf, struct pt_ray ray, int spheres,
-                                   float tmax)
-{
-    int hit = 0;
-    for (int i = 0; i < PT_CHUNKS; ++i) {
-        hit |= brdf_any(pt_leaf_test(leaf + i * BRDF_LANES, ray, spheres).t < tmax);
-    }
-    return hit;
-}
-
 /* The first primitive along the ray, t > 0; the smallest number where several are equally near. */
 PT_OWN_FRAME struct pt_hit_record pt_bvh_closest(BRDF_GLOBAL const struct pt_settings *settings,
                                                  BRDF_GLOBAL const float *scene,
@@ -268,7 +185,7 @@ PT_OWN_FRAME struct pt_hit_record pt_bvh_closest(BRDF_GLOBAL const struct pt_set
         unsigned bits = 0u;
         if (at < 0) {
             int leaf = ~at;
-            best = pt_leaf_closest(leaves + (leaf >> 1) * PT_WIDTH, walk.ray, leaf & 1, best);
+            best = pt_leaf_closest(leaves + (leaf >> 2) * PT_WIDTH, walk.ray, leaf & 3, best);
         } else {
             union pt_sixteen entry;
             BRDF_GLOBAL const float *node = nodes + at * PT_WIDTH;
@@ -298,7 +215,7 @@ PT_OWN_FRAME int pt_bvh_occluded(BRDF_GLOBAL const struct pt_settings *settings,
         unsigned bits = 0u;
         if (at < 0) {
             int leaf = ~at;
-            occluded = pt_leaf_occluded(leaves + (leaf >> 1) * PT_WIDTH, walk.ray, leaf & 1, tmax);
+            occluded = pt_leaf_occluded(leaves + (leaf >> 2) * PT_WIDTH, walk.ray, leaf & 3, tmax);
         } else {
             union pt_sixteen entry;
             BRDF_GLOBAL const float *node = nodes + at * PT_WIDTH;

@@ -20,7 +20,7 @@ struct pt_ray {
 /* A distance of PT_MISS_T or more means no hit; then u and v mean nothing. */
 struct pt_distance {
     brdf_real t; /* along the ray, world units */
-    brdf_real u; /* planar: the coordinates on it; sphere: 0 */
+    brdf_real u; /* planar: the coordinates on it, to PT_EDGE; sphere: 0 */
     brdf_real v;
 };
 
@@ -35,13 +35,15 @@ struct pt_distance {
  */
 struct pt_plane {
     brdf_vec3 p;
-    brdf_vec3 n; /* normal, largest component 1; 0 where there is no area: then nothing hits it */
-    brdf_vec3 a;
+    brdf_vec3 a; /* a and b are 0 where there is no area: then nothing hits it */
     brdf_vec3 b;
 };
 
 /* A triangle with |sin(e1, e2)| below about this has no area: its coordinates would be noise. */
 #define PT_SLIVER 7.62939453e-6f /* 2^-17 */
+
+/* u and v may be this far outside, so that rounding opens no crack along the edge of neighbours. */
+#define PT_EDGE 3.81469727e-6f /* 2^-18 */
 
 static inline brdf_real pt_largest_component(brdf_vec3 v)
 {
@@ -60,7 +62,6 @@ static inline struct pt_plane pt_plane_make(brdf_vec3 p, brdf_vec3 e1, brdf_vec3
     brdf_real scale = 1.0f / brdf_pick(solid, brdf_dot(e1, a), 1.0f);
     struct pt_plane plane;
     plane.p = p;
-    plane.n = n;
     plane.a = brdf_scale(a, scale);
     plane.b = brdf_scale(brdf_cross(n, e1), scale);
     return plane;
@@ -71,14 +72,15 @@ static inline struct pt_distance pt_plane_distance(struct pt_ray ray, struct pt_
                                                    brdf_int kind)
 {
     brdf_vec3 from = brdf_sub(ray.o, plane.p);
-    brdf_real slope = brdf_dot(ray.d, plane.n);
+    brdf_vec3 n = brdf_cross(plane.a, plane.b);
+    brdf_real slope = brdf_dot(ray.d, n);
     brdf_mask facing = (slope > 0.0f) | (slope < 0.0f);
-    brdf_real t = -brdf_dot(from, plane.n) / brdf_pick(facing, slope, 1.0f);
+    brdf_real t = -brdf_dot(from, n) / brdf_pick(facing, slope, 1.0f);
     brdf_vec3 at = brdf_add(from, brdf_scale(ray.d, t));
     brdf_real u = brdf_dot(at, plane.a);
     brdf_real v = brdf_dot(at, plane.b);
     brdf_real far = brdf_pick(kind == PT_TRIANGLE, u + v, brdf_max(u, v));
-    brdf_mask inside = (u >= 0.0f) & (v >= 0.0f) & (far <= 1.0f);
+    brdf_mask inside = (u >= -PT_EDGE) & (v >= -PT_EDGE) & (far <= 1.0f + PT_EDGE);
     inside = brdf_pick_int(kind == PT_DISK, u * u + v * v <= 1.0f, inside);
     struct pt_distance hit;
     hit.t = brdf_pick(facing & inside & (t > 0.0f), t, PT_MISS_T);

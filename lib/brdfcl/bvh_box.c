@@ -81,11 +81,12 @@ static void sphere_box(const float *row, struct bvh_box *box)
     box_round_out(lower, upper, box);
 }
 
-/* The edges e1 and e2 as the plane's vectors have them: the columns of the inverse of (n, a, b). */
+/* The edges e1 and e2 as the plane's vectors have them: the columns of the inverse of (a x b, a,
+ * b). */
 static void plane_edges(const struct pt_plane *plane, double e1[3], double e2[3], double growth[2])
 {
     double n[3], a[3], b[3], across[3];
-    vector_of(plane->n, n);
+    vector_of(brdf_cross(plane->a, plane->b), n); /* rounded, as the rays meet it */
     vector_of(plane->a, a);
     vector_of(plane->b, b);
     cross(a, b, across);
@@ -97,8 +98,8 @@ static void plane_edges(const struct pt_plane *plane, double e1[3], double e2[3]
         e2[i] /= determinant;
     }
     double size = sqrt(dot(e1, e1)) + sqrt(dot(e2, e2));
-    growth[0] = UNITS * (1.0 + size * sqrt(dot(a, a)));
-    growth[1] = UNITS * (1.0 + size * sqrt(dot(b, b)));
+    growth[0] = (double)PT_EDGE + UNITS * (1.0 + size * sqrt(dot(a, a)));
+    growth[1] = (double)PT_EDGE + UNITS * (1.0 + size * sqrt(dot(b, b)));
 }
 
 static void planar_box(const float *row, int kind, struct bvh_box *box)
@@ -109,7 +110,8 @@ static void planar_box(const float *row, int kind, struct bvh_box *box)
     struct pt_plane plane =
         pt_plane_make(brdf_vec3_make(p[0], p[1], p[2]), brdf_vec3_make(f1[0], f1[1], f1[2]),
                       brdf_vec3_make(f2[0], f2[1], f2[2]));
-    if (plane.n.x == 0.0f && plane.n.y == 0.0f && plane.n.z == 0.0f) {
+    brdf_vec3 n = brdf_cross(plane.a, plane.b);
+    if (n.x == 0.0f && n.y == 0.0f && n.z == 0.0f) {
         *box = bvh_box_empty();
         return;
     }
