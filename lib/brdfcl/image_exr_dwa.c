@@ -54,12 +54,13 @@ static brdf_status read_file(struct exr_reader *reader, ImfInputFile *file, ImfR
 brdf_status brdfcl_exr_read_dwa(struct exr_reader *reader, struct brdf_error *error)
 {
     const size_t width = (size_t)(reader->data.max.x - reader->data.min.x + 1);
+    const size_t height = (size_t)(reader->data.max.y - reader->data.min.y + 1);
     brdf_status status;
     if (reader->part != 0)
         return brdf_fail(error, BRDF_UNSUPPORTED,
                          "%s: DWA compression is only supported in the first part",
                          reader->source->path);
-    reader->plane_size = width * LINES;
+    reader->plane_size = width * (height < LINES ? height : LINES);
     reader->planes = calloc(reader->plane_size, EXR_COLOURS * sizeof *reader->planes);
     ImfRgba *pixels = calloc(reader->plane_size, sizeof *pixels);
     ImfInputFile *file = ImfOpenInputFile(reader->source->path);
