@@ -13,7 +13,8 @@
  * (choose, convert, gather) has a function here. `float`, `int` and `unsigned` stay what they are:
  * one value for all lanes.
  *
- * Words that OpenCL C keeps for itself cannot be names: local, global, private, constant, kernel, half.
+ * Words that OpenCL C keeps for itself cannot be names: local, global, private, constant, kernel,
+ * half.
  *
  * OpenCL: define BRDF_LANES (1, 4, 8 or 16; default 1) before the first include.
  */
@@ -28,6 +29,7 @@
 #define BRDF_LANES 1
 #endif
 
+#undef inline /* PoCL has one of its own */
 /* A packet's values live in registers: a call would take them all through memory. */
 #define inline __attribute__((always_inline)) inline
 
