@@ -14,7 +14,7 @@
 
 struct pt_light_sample {
     brdf_vec3 wi;      /* towards the light, unit, world space */
-    brdf_real length;  /* up to which the way must be free */
+    brdf_real length;  /* how far away it is; PT_MISS_T: infinitely far */
     brdf_rgb radiance; /* that comes from there */
     brdf_real pdf;     /* [1/sr], with the probability of choosing the light; 0 = nothing there */
 };

@@ -7,9 +7,6 @@
 #include "environment.h"
 #include "interaction.h"
 
-/* Shadow rays end a little before the light, which must not shadow itself. */
-#define PT_SHADOW_SHORTER 0.9995f
-
 /* The area of a planar primitive over |e1 x e2|. */
 static inline brdf_real pt_area_factor(brdf_int kind)
 {
@@ -99,7 +96,7 @@ static inline struct pt_light_sample pt_planar_sample(struct pt_light light, brd
     brdf_real distance = sqrtf(distance2);
     struct pt_light_sample s;
     s.wi = brdf_scale(to, 1.0f / distance);
-    s.length = distance * PT_SHADOW_SHORTER;
+    s.length = distance;
     s.radiance = light.radiance;
     brdf_real facing = -brdf_dot(brdf_cross(light.e1, light.e2), s.wi) * light.flip;
     brdf_mask lit = facing > 0.0f;
@@ -129,7 +126,7 @@ static inline struct pt_light_sample pt_sphere_sample(struct pt_light light, brd
     /* Rounding may let a direction at the rim miss: then there is no sample. */
     brdf_mask inside = distance2 < light.radius * light.radius;
     brdf_mask lit = (hit.t < PT_MISS_T) & (brdf_pick(inside, -light.flip, light.flip) > 0.0f);
-    s.length = brdf_pick(lit, hit.t, 0.0f) * PT_SHADOW_SHORTER;
+    s.length = brdf_pick(lit, hit.t, 1.0f);
     s.radiance = light.radiance;
     s.pdf = brdf_pick(lit, light.select * (0.5f * BRDF_1_PI) / brdf_max(cap, 1e-12f), 0.0f);
     return s;

@@ -51,9 +51,36 @@ static inline void pt_continue(struct pt_world w, brdf_int path, brdf_mask alive
     }
 }
 
+/* Shadow rays end a little before the light, which must not shadow itself. */
+#define PT_SHADOW_SHORTER 0.9995f
+
+struct pt_shadow_ray {
+    struct pt_ray ray;
+    brdf_real length; /* up to which the way must be free */
+};
+
+/*
+ * From where a ray leaves the surface to the very point of the light that was chosen. The direction
+ * as seen from the surface's point would not do: of a light near the surface, or at the rim of a
+ * sphere, it meets from there another point, before the end.
+ */
+static inline struct pt_shadow_ray pt_shadow_ray_make(struct pt_interaction at,
+                                                      struct pt_light_sample light)
+{
+    struct pt_shadow_ray shadow;
+    brdf_mask near = light.length < PT_MISS_T;
+    shadow.ray.o = pt_leave(at, light.wi);
+    brdf_vec3 moved = brdf_sub(shadow.ray.o, at.p);
+    brdf_vec3 to = brdf_sub(brdf_scale(light.wi, brdf_pick(near, light.length, 1.0f)), moved);
+    brdf_real length = sqrtf(brdf_max(brdf_dot(to, to), 1e-30f));
+    shadow.ray.d = brdf_vec3_pick(near, brdf_scale(to, 1.0f / length), light.wi);
+    shadow.length = brdf_pick(near, length * PT_SHADOW_SHORTER, PT_MISS_T);
+    return shadow;
+}
+
 /* Append a shadow ray for each lane in the mask. */
-static inline void pt_ask_shadow(struct pt_world w, brdf_int path, brdf_mask asks, brdf_vec3 origin,
-                                 struct pt_light_sample light, brdf_rgb radiance)
+static inline void pt_ask_shadow(struct pt_world w, brdf_int path, brdf_mask asks,
+                                 struct pt_shadow_ray shadow, brdf_rgb radiance)
 {
     int count = pt_count_lanes(asks);
     if (count == 0) {
@@ -70,9 +97,10 @@ static inline void pt_ask_shadow(struct pt_world w, brdf_int path, brdf_mask ask
         }
     }
     brdf_int record = places.v * PT_SHADOW_WORDS;
-    pt_store_quad(w.shadows + PT_SHADOW_ORIGIN, record, pt_quad_of_vec3(origin, light.length));
+    pt_store_quad(w.shadows + PT_SHADOW_ORIGIN, record,
+                  pt_quad_of_vec3(shadow.ray.o, shadow.length));
     pt_store_quad(w.shadows + PT_SHADOW_DIRECTION, record,
-                  pt_quad_of_vec3(light.wi, brdf_from_bits(path)));
+                  pt_quad_of_vec3(shadow.ray.d, brdf_from_bits(path)));
     pt_store_quad(w.shadows + PT_SHADOW_RADIANCE, record, pt_quad_of_rgb(radiance, 0.0f));
 }
 
@@ -160,7 +188,7 @@ static inline void pt_shade(struct pt_world w, struct pt_pass pass, struct pt_va
         brdf_rgb radiance =
             brdf_rgb_scale(brdf_rgb_mul(brdf_rgb_mul(throughput, f), light.radiance), scale);
         pt_ask_shadow(w, path, possible & (brdf_rgb_largest(radiance) > 0.0f),
-                      pt_leave(at, light.wi), light, radiance);
+                      pt_shadow_ray_make(at, light), radiance);
     }
 
     struct brdf_sample s = brdf_surface_sample(variant.model, variant.flags, p, wo,
