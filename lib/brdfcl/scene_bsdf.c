@@ -238,6 +238,7 @@ static brdf_status bsdf_read_model(struct scene_loader *loader, struct xml_node 
         }
     }
     if (!status) {
+        draft.count = scene_mitsuba_assume(type, draft.settings, draft.count, BSDF_SETTINGS_MAX);
         status = bsdf_make(loader, outer ? outer : node, type, draft.settings, draft.count, bsdf);
     }
     for (size_t i = 0; i < BSDF_SETTINGS_MAX; ++i) {

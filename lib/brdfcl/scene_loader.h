@@ -150,6 +150,11 @@ brdf_status scene_transform_read(const struct scene_loader *loader, const struct
 brdf_status scene_bsdf_read(struct scene_loader *loader, struct xml_node *node,
                             struct brdf_bsdf **bsdf);
 
+/* Add to a model's settings what Mitsuba 3's plugin of that name assumes where the file is silent
+   and our model assumes something else; the new count, at most `max`. */
+size_t scene_mitsuba_assume(const char *model, struct brdf_setting *settings, size_t count,
+                            size_t max);
+
 /* What a shape without a bsdf has: gray, or black where it emits. */
 brdf_status scene_bsdf_default(struct scene_loader *loader, const struct xml_node *node, int emits,
                                struct brdf_bsdf **bsdf);
