@@ -122,8 +122,8 @@ enum { PLACES = sizeof layout / sizeof layout[0] };
 static void run_layout(struct brdfcl_device *device, cl_uint places[PLACES])
 {
     struct brdf_error error;
-    cl_program program;
-    cl_mem buffer;
+    cl_program program = NULL;
+    cl_mem buffer = NULL;
     cl_int status;
     size_t one = 1;
     if (opencl_build(device, layout_text, "layout", "", &program, &error) ||
