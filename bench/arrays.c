@@ -8,7 +8,9 @@
 
 #include "random.h"
 
-enum { PLANES = 9 + 2 * 13, BLOCK = 4096 };
+/* Planes are some cache lines further apart than a power of two, as in libbrdfcl, for both sides.
+ */
+enum { PLANES = 9 + 2 * 13, BLOCK = 4096, APART = 80 };
 
 static const struct kind {
     const char *name;
@@ -30,7 +32,7 @@ int operation_bytes(enum operation operation)
 static float *take(float **memory, size_t count)
 {
     float *plane = *memory;
-    *memory += count;
+    *memory += count + APART;
     return plane;
 }
 
@@ -61,7 +63,7 @@ brdf_status arrays_create(struct arrays *arrays, size_t count, unsigned seed,
                           struct brdf_error *error)
 {
     memset(arrays, 0, sizeof *arrays);
-    float *memory = malloc(PLANES * count * sizeof(float));
+    float *memory = malloc(PLANES * (count + APART) * sizeof(float));
     if (!memory) {
         return brdf_fail(error, BRDF_OUT_OF_MEMORY, "out of memory for %zu evaluations", count);
     }
