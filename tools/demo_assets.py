@@ -1,0 +1,285 @@
+#!/usr/bin/env python3
+"""Make what scenes/demo.xml is made of: chess pieces and their board (PLY), and a photographer's
+studio (OpenEXR).
+
+Run as `tools/demo_assets.py [FOLDER]` (default: scenes). Only Python's own library is needed; the
+files are in the repository, so this runs only when someone wants other ones.
+"""
+
+import math
+import os
+import struct
+import sys
+import zlib
+
+SEGMENTS = 48  # around the axis
+
+# --- Chess pieces: profiles turned around the y axis -------------------------------------------
+
+
+def curve(points, steps):
+    """A Catmull-Rom spline through (radius, height) points, as points with tangents."""
+    first = [2 * a - b for a, b in zip(points[0], points[1])]
+    last = [2 * a - b for a, b in zip(points[-1], points[-2])]
+    p = [first] + [list(q) for q in points] + [last]
+    out = []
+    for i in range(1, len(p) - 2):
+        for s in range(steps + (i == len(p) - 3)):
+            t = s / steps
+            place, tangent = [], []
+            for a, b, c, d in zip(p[i - 1], p[i], p[i + 1], p[i + 2]):
+                k1, k2, k3 = (c - a) / 2, a - 2.5 * b + 2 * c - d / 2, (d - a) / 2 + 1.5 * (b - c)
+                place.append(b + t * (k1 + t * (k2 + t * k3)))
+                tangent.append(k1 + t * (2 * k2 + 3 * t * k3))
+            out.append((place, tangent))
+    return out
+
+
+def arc(height, radius, start, end, steps):
+    """Part of a circle about (0, height): degrees from straight down, counter-clockwise."""
+    out = []
+    for s in range(steps + 1):
+        a = math.radians(start + (end - start) * s / steps)
+        out.append(
+            (
+                [max(radius * math.sin(a), 0.0), height - radius * math.cos(a)],
+                [math.cos(a), math.sin(a)],
+            )
+        )
+    return out
+
+
+def foot(r):
+    """Underside, base and bead, which all pieces share; r is the radius of the base."""
+    return [
+        curve([(0, 0), (0.94 * r, 0)], 1),
+        curve([(0.94 * r, 0), (r, 0.025), (1.01 * r, 0.06), (0.95 * r, 0.10)], 3),
+        curve([(0.95 * r, 0.10), (0.84 * r, 0.115)], 1),
+        curve([(0.84 * r, 0.115), (0.88 * r, 0.14), (0.80 * r, 0.175)], 3),
+    ]
+
+
+def collar(r, height, width):
+    """A ring that stands out from a stem of radius r."""
+    return [
+        curve([(r, height), (r + width, height + 0.02)], 2),
+        curve(
+            [
+                (r + width, height + 0.02),
+                (r + 1.08 * width, height + 0.035),
+                (r + width, height + 0.05),
+            ],
+            3,
+        ),
+        curve([(r + width, height + 0.05), (r, height + 0.075)], 2),
+    ]
+
+
+def pawn():
+    return (
+        foot(0.34)
+        + [curve([(0.272, 0.175), (0.19, 0.26), (0.125, 0.42), (0.10, 0.60)], 5)]
+        + collar(0.10, 0.60, 0.105)
+        + [arc(0.825, 0.178, 34.2, 180, 16)]
+    )
+
+
+def bishop():
+    return (
+        foot(0.36)
+        + [curve([(0.288, 0.175), (0.20, 0.30), (0.13, 0.55), (0.105, 0.86)], 6)]
+        + collar(0.105, 0.86, 0.10)
+        + collar(0.105, 0.935, 0.06)
+        + [
+            curve([(0.105, 1.01), (0.17, 1.10), (0.175, 1.18), (0.13, 1.32), (0.045, 1.44)], 4),
+            arc(1.478, 0.058, 51, 180, 8),
+        ]
+    )
+
+
+def queen():
+    return (
+        foot(0.40)
+        + [curve([(0.32, 0.175), (0.22, 0.32), (0.145, 0.62), (0.115, 1.10)], 6)]
+        + collar(0.115, 1.10, 0.12)
+        + collar(0.115, 1.175, 0.07)
+        + [
+            curve([(0.115, 1.25), (0.13, 1.34), (0.17, 1.46), (0.235, 1.56)], 4),
+            curve([(0.235, 1.56), (0.225, 1.585), (0.20, 1.585)], 2),
+            curve([(0.20, 1.585), (0.13, 1.65), (0.045, 1.685)], 4),
+            arc(1.735, 0.066, 43, 180, 8),
+        ]
+    )
+
+
+def revolve(strokes):
+    """Vertices (position, normal, uv) and triangles; smooth along a stroke, sharp between two."""
+    vertices, triangles = [], []
+    total = sum(math.dist(a[0], b[0]) for s in strokes for a, b in zip(s, s[1:]))
+    length = 0.0
+    for stroke in strokes:
+        rings = []
+        for i, ((r, y), (dr, dy)) in enumerate(stroke):
+            if i > 0:
+                length += math.dist(stroke[i - 1][0], (r, y))
+            scale = math.hypot(dr, dy)
+            nr, ny = dy / scale, -dr / scale  # to the right of the way up: outwards
+            rings.append((len(vertices), r < 1e-9))
+            for s in range(SEGMENTS + 1):
+                a = 2 * math.pi * (s % SEGMENTS) / SEGMENTS
+                c, n = math.cos(a), -math.sin(a)
+                vertices.append((r * c, y, r * n, nr * c, ny, nr * n, s / SEGMENTS, length / total))
+        for (low, low_pole), (high, high_pole) in zip(rings, rings[1:]):
+            for s in range(SEGMENTS):
+                if not low_pole:
+                    triangles.append((low + s, low + s + 1, high + s))
+                if not high_pole:
+                    triangles.append((low + s + 1, high + s + 1, high + s))
+    return vertices, triangles
+
+
+def board(parity):
+    """The dark (0) or light (1) squares of a chess board, each 1 x 1, centred on the origin."""
+    vertices, triangles = [], []
+    for x in range(-4, 4):
+        for z in range(-4, 4):
+            if (x + z) % 2 == parity:
+                n = len(vertices)
+                for du, dv in ((0, 0), (0, 1), (1, 1), (1, 0)):
+                    vertices.append((x + du, 0, z + dv, 0, 1, 0, du, dv))
+                triangles += [(n, n + 1, n + 2), (n, n + 2, n + 3)]
+    return vertices, triangles
+
+
+def write_ply(path, vertices, triangles):
+    names = ("x", "y", "z", "nx", "ny", "nz", "u", "v")
+    header = ["ply", "format binary_little_endian 1.0", "element vertex %d" % len(vertices)]
+    header += ["property float " + name for name in names]
+    header += ["element face %d" % len(triangles)]
+    header += ["property list uchar ushort vertex_indices", "end_header", ""]
+    with open(path, "wb") as file:
+        file.write("\n".join(header).encode())
+        for vertex in vertices:
+            file.write(struct.pack("<8f", *vertex))
+        for triangle in triangles:
+            file.write(struct.pack("<B3H", 3, *triangle))
+
+
+# --- The studio: soft boxes in a dark room ------------------------------------------------------
+
+
+def box(direction, towards, up, half_width, half_height, softness):
+    """1 where a direction meets a soft box that faces the origin, falling to 0 around it."""
+
+    def dot(a, b):
+        return sum(x * y for x, y in zip(a, b))
+
+    def unit(a):
+        n = math.sqrt(dot(a, a))
+        return [x / n for x in a]
+
+    w = unit(towards)
+    u = unit([up[1] * w[2] - up[2] * w[1], up[2] * w[0] - up[0] * w[2], up[0] * w[1] - up[1] * w[0]])
+    v = [w[1] * u[2] - w[2] * u[1], w[2] * u[0] - w[0] * u[2], w[0] * u[1] - w[1] * u[0]]
+    z = dot(direction, w)
+    if z <= 0.0:
+        return 0.0
+    value = 1.0
+    for axis, half in ((u, half_width), (v, half_height)):
+        t = (half + softness - abs(dot(direction, axis) / z)) / softness
+        t = min(max(t, 0.0), 1.0)
+        value *= t * t * (3.0 - 2.0 * t)
+    return value
+
+
+def studio(direction):
+    """Radiance from a direction; y is up, the camera looks along -z."""
+    y = direction[1]
+    sky = max(y, 0.0)
+    ground = max(-y, 0.0)
+    color = [
+        0.030 + 0.060 * sky - 0.015 * ground,
+        0.034 + 0.075 * sky - 0.017 * ground,
+        0.045 + 0.105 * sky - 0.022 * ground,
+    ]
+    lights = (
+        # towards, up, half width and height (tangents), softness, radiance
+        ((0.95, 0.40, -0.45), (0, 1, 0), 0.10, 0.60, 0.05, (3.0, 4.2, 6.4)),  # strip, right
+        ((-0.30, 0.55, -0.95), (0, 1, 0), 0.60, 0.10, 0.05, (3.6, 3.2, 2.8)),  # rim, behind
+        ((0.50, 0.35, 1.00), (0, 1, 0), 0.26, 0.20, 0.12, (0.9, 0.9, 1.0)),  # fill, front
+    )
+    for towards, up, half_width, half_height, softness, radiance in lights:
+        weight = box(direction, towards, up, half_width, half_height, softness)
+        color = [c + weight * r for c, r in zip(color, radiance)]
+    return color
+
+
+def environment(width, height):
+    """Rows of (r, g, b), in the mapping of Mitsuba 3: column centres, rows from pole to pole."""
+    rows = []
+    for j in range(height):
+        theta = math.pi * j / (height - 1)
+        row = []
+        for i in range(width):
+            phi = 2 * math.pi * (i + 0.5) / width
+            row.append(
+                studio(
+                    (
+                        math.sin(phi) * math.sin(theta),
+                        math.cos(theta),
+                        -math.cos(phi) * math.sin(theta),
+                    )
+                )
+            )
+        rows.append(row)
+    return rows
+
+
+def write_exr(path, rows):
+    """Scan lines of halves with ZIP compression, 16 lines a chunk (openexr.com, file layout)."""
+    height, width = len(rows), len(rows[0])
+
+    def attribute(name, kind, data):
+        return name.encode() + b"\0" + kind.encode() + b"\0" + struct.pack("<i", len(data)) + data
+
+    window = struct.pack("<4i", 0, 0, width - 1, height - 1)
+    channels = b"".join(n + b"\0" + struct.pack("<iB3xii", 1, 0, 1, 1) for n in (b"B", b"G", b"R"))
+    header = struct.pack("<ii", 20000630, 2)
+    header += attribute("channels", "chlist", channels + b"\0")
+    header += attribute("compression", "compression", b"\3")
+    header += attribute("dataWindow", "box2i", window) + attribute("displayWindow", "box2i", window)
+    header += attribute("lineOrder", "lineOrder", b"\0")
+    header += attribute("pixelAspectRatio", "float", struct.pack("<f", 1.0))
+    header += attribute("screenWindowCenter", "v2f", struct.pack("<2f", 0.0, 0.0))
+    header += attribute("screenWindowWidth", "float", struct.pack("<f", 1.0)) + b"\0"
+    chunks = []
+    for y in range(0, height, 16):
+        raw = b"".join(
+            struct.pack("<%de" % width, *(pixel[c] for pixel in row))
+            for row in rows[y : y + 16]
+            for c in (2, 1, 0)
+        )
+        data = raw[0::2] + raw[1::2]
+        data = data[:1] + bytes((b - a + 128) & 255 for a, b in zip(data, data[1:]))
+        packed = zlib.compress(data, 9)
+        packed = packed if len(packed) < len(raw) else raw
+        chunks.append(struct.pack("<ii", y, len(packed)) + packed)
+    offset = len(header) + 8 * len(chunks)
+    with open(path, "wb") as file:
+        file.write(header)
+        for chunk in chunks:
+            file.write(struct.pack("<Q", offset))
+            offset += len(chunk)
+        file.write(b"".join(chunks))
+
+
+def main():
+    folder = sys.argv[1] if len(sys.argv) > 1 else "scenes"
+    for name, piece in (("pawn", pawn), ("bishop", bishop), ("queen", queen)):
+        write_ply(os.path.join(folder, name + ".ply"), *revolve(piece()))
+    for parity, name in enumerate(("squares_dark", "squares_light")):
+        write_ply(os.path.join(folder, name + ".ply"), *board(parity))
+    write_exr(os.path.join(folder, "studio.exr"), environment(512, 256))
+
+
+main()
