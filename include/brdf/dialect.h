@@ -8,6 +8,7 @@
  *   brdf_int    an integer of the same number of lanes
  *   brdf_uint   an unsigned integer of the same number of lanes
  *   brdf_mask   what a comparison yields: 0 is false; combine with &, | and !, never && or ||
+ *   BRDF_UNROLL before a loop of constant length whose counter chooses what is to live in registers
  *
  * Infix operators mean the same lane by lane in both languages. What C spells with a statement
  * (choose, convert, gather) has a function here. `float`, `int` and `unsigned` stay what they are:
@@ -34,6 +35,7 @@
 #define inline __attribute__((always_inline)) inline
 
 #define BRDF_GLOBAL __global
+#define BRDF_UNROLL _Pragma("unroll")
 #define BRDF_CONSTANT __constant
 
 #if BRDF_LANES == 1
@@ -95,6 +97,7 @@ typedef brdf_int brdf_mask;
 #undef BRDF_LANES
 #define BRDF_LANES 1
 #define BRDF_GLOBAL
+#define BRDF_UNROLL
 #define BRDF_CONSTANT static const
 
 typedef float brdf_real;

@@ -61,9 +61,11 @@ static inline void brdf_unpack(void *parameters, int choice_count, int word_coun
     int *choice = (int *)parameters;
     int lanes = (int)(sizeof(brdf_real) / sizeof(int));
     brdf_real *value = (brdf_real *)(void *)(choice + (choice_count + lanes - 1) / lanes * lanes);
+    BRDF_UNROLL
     for (int i = 0; i < choice_count; ++i) {
         choice[i] = (int)(choices >> (4 * i) & 15u);
     }
+    BRDF_UNROLL
     for (int i = 0; i < word_count; ++i) {
         value[i] = word[i];
     }
