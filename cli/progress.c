@@ -48,6 +48,10 @@ struct progress progress_begin(int quiet)
     const char *kind = getenv("TERM");
     struct progress progress = {quiet, 0, 0, 0.0, 0};
     progress.terminal = isatty(STDERR_FILENO) && kind && strcmp(kind, "dumb") != 0;
+    if (progress.terminal && !quiet) {
+        fputs("getting ready ...", stderr);
+        progress.shown = 1;
+    }
     return progress;
 }
 

@@ -14,6 +14,7 @@ struct progress {
     int said_percent; /* and what it said */
 };
 
+/* Before the first samples a terminal is told that something is being done. */
 struct progress progress_begin(int quiet);
 
 /* Show the state of the render. */

@@ -139,7 +139,9 @@ static void tell(const struct render_request *request, const struct render_outco
         say("%lld samples were not finite and count as black; please report this scene",
             result->invalid);
     }
-    if (result->stopped) {
+    if (result->stopped && result->spp == 0) {
+        say("stopped before every pixel had a sample: the rest of the picture is black; saved");
+    } else if (result->stopped) {
         say("stopped with %d of %d samples for each pixel; saved", result->spp, outcome->scene.spp);
     }
     if (request->quiet) {
