@@ -29,13 +29,12 @@ static inline struct pt_distance pt_ready_distance(BRDF_GLOBAL const float *read
     int kind = pt_int_bits(ready[PT_READY_KIND]);
     struct pt_plane plane;
     plane.p = pt_word_vec3(ready + PT_READY_P);
-    plane.n = pt_word_vec3(ready + PT_READY_N);
     if (kind == PT_SPHERE) {
-        return pt_sphere_distance(ray, plane.p, plane.n.x);
+        return pt_sphere_distance(ray, plane.p, ready[PT_READY_N]);
     }
     plane.a = pt_word_vec3(ready + PT_READY_A);
     plane.b = pt_word_vec3(ready + PT_READY_B);
-    return pt_plane_distance(ray, plane, kind);
+    return pt_plane_distance_along(ray, plane, pt_word_vec3(ready + PT_READY_N), kind);
 }
 
 /* A packet of rays against every primitive; ties go to the lower number. */

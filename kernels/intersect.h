@@ -67,12 +67,17 @@ static inline struct pt_plane pt_plane_make(brdf_vec3 p, brdf_vec3 e1, brdf_vec3
     return plane;
 }
 
-/* From both sides, at t > 0. */
-static inline struct pt_distance pt_plane_distance(struct pt_ray ray, struct pt_plane plane,
-                                                   brdf_int kind)
+/* The plane's normal, of any length; as each ray would compute it, it can be kept instead. */
+static inline brdf_vec3 pt_plane_normal(struct pt_plane plane)
+{
+    return brdf_cross(plane.a, plane.b);
+}
+
+/* From both sides, at t > 0; n is pt_plane_normal of the plane. */
+static inline struct pt_distance pt_plane_distance_along(struct pt_ray ray, struct pt_plane plane,
+                                                         brdf_vec3 n, brdf_int kind)
 {
     brdf_vec3 from = brdf_sub(ray.o, plane.p);
-    brdf_vec3 n = brdf_cross(plane.a, plane.b);
     brdf_real slope = brdf_dot(ray.d, n);
     brdf_mask facing = (slope > 0.0f) | (slope < 0.0f);
     brdf_real t = -brdf_dot(from, n) / brdf_pick(facing, slope, 1.0f);
@@ -87,6 +92,12 @@ static inline struct pt_distance pt_plane_distance(struct pt_ray ray, struct pt_
     hit.u = u;
     hit.v = v;
     return hit;
+}
+
+static inline struct pt_distance pt_plane_distance(struct pt_ray ray, struct pt_plane plane,
+                                                   brdf_int kind)
+{
+    return pt_plane_distance_along(ray, plane, pt_plane_normal(plane), kind);
 }
 
 /* The same for one that was not made ready; where it is met often, keep its pt_plane instead. */
