@@ -57,6 +57,19 @@ static struct lobes find_lobes(const struct brdf_bsdf *bsdf, brdf_vec3 wo)
     return found;
 }
 
+/* Most models have none: a few samples tell. */
+static int has_lobes(const struct model_case *one)
+{
+    struct brdfcl_random random = {30};
+    for (size_t i = 0; i < 512; ++i) {
+        brdf_vec3 wo = brdfcl_random_direction(&random);
+        if (brdf_sample(&one->bsdf, wo, models_even_point(i, 512)).delta) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
 /* What the lobe does to radiance [1]. */
 static float coefficient(struct brdf_sample s)
 {
@@ -89,7 +102,8 @@ static void probabilities_hold(void **state)
     struct brdfcl_random random = {32};
     for (size_t i = 0; i < cases->count; ++i) {
         const struct model_case *one = &cases->items[i];
-        for (int k = 0; k < 200; ++k) {
+        int tries = has_lobes(one) ? 200 : 0;
+        for (int k = 0; k < tries; ++k) {
             brdf_vec3 wo = brdfcl_random_direction(&random);
             struct lobes found = find_lobes(&one->bsdf, wo);
             float sum = 0.0f;
@@ -152,7 +166,8 @@ static void lobes_are_reciprocal(void **state)
     struct brdfcl_random random = {33};
     for (size_t i = 0; i < cases->count; ++i) {
         const struct model_case *one = &cases->items[i];
-        for (int k = 0; k < 100; ++k) {
+        int tries = has_lobes(one) ? 100 : 0;
+        for (int k = 0; k < tries; ++k) {
             brdf_vec3 wo = brdfcl_random_direction(&random);
             struct lobes found = find_lobes(&one->bsdf, wo);
             for (int j = 0; j < found.count; ++j) {
