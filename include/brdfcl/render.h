@@ -47,7 +47,8 @@ struct brdfcl_render_result {
 
 /*
  * Render. On BRDF_OK the result holds an image to be destroyed by the caller, also when stopped
- * early (then spp >= 1 or the status is BRDF_CANCELLED and there is no image).
+ * early: pixels that the unfinished sweep had reached hold its samples as well, and where spp is 0
+ * the others are black. Stopped before anything was finished: BRDF_CANCELLED, and no image.
  */
 BRDFCL_API brdf_status brdfcl_render(const struct brdfcl_scene *scene,
                                      const struct brdfcl_render_options *options,
