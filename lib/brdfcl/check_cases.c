@@ -50,7 +50,9 @@ static brdf_vec3 direction_make(struct brdfcl_random *random)
         return brdf_normalize(brdf_vec3_make(sign_of(random), 0.0f, small(random, 8.0f)));
     case 5: /* nearly the normal */
         return brdf_normalize(brdf_vec3_make(small(random, 8.0f), -small(random, 8.0f), 1.0f));
-    case 6:
+    case 6: /* so near the plane that squares and products of cosines vanish */
+        return direction_at(random, sign_of(random) * small(random, 37.0f));
+    case 7:
         return w;
     default:
         w.z = fabsf(w.z);
