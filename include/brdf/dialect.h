@@ -298,9 +298,10 @@ static inline brdf_real brdf_max(brdf_real a, brdf_real b)
     return brdf_pick(b > a, b, a);
 }
 
+/* Within low and high, come what may: a NaN becomes low, so that an index made of it is one. */
 static inline brdf_real brdf_clamp(brdf_real x, brdf_real low, brdf_real high)
 {
-    return brdf_min(brdf_max(x, low), high);
+    return brdf_min(high, brdf_max(low, x));
 }
 
 #endif
