@@ -150,7 +150,7 @@ run-demo: cli
 .PHONY: run-tests
 run-tests: all $(test_programs) $(example_programs)
 	@BUILD=$(BUILD) CC="$(CC)" SANITIZE="$(SANITIZE)" MAKE="$(MAKE)" JOBS="$(JOBS)" \
-	    tools/run_tests.sh $(test_programs) $(example_programs) $(test_scripts)
+	    tools/run_tests.sh $(test_scripts) $(test_programs) $(example_programs)
 
 # --- Building ----------------------------------------------------------------------------------
 

@@ -1,7 +1,7 @@
 #!/bin/sh
 # run_tests.sh - run test programs, examples and test scripts, and count.
 #
-#   tools/run_tests.sh PROGRAM...
+#   [JOBS=N] tools/run_tests.sh PROGRAM...      N at a time
 #
 # A cmocka program counts as many times as it has tests; any other program or script counts once:
 # exit status 0 passed, 77 skipped, anything else failed. What each one said is kept in
@@ -21,11 +21,6 @@ UBSAN_OPTIONS=${UBSAN_OPTIONS:-print_stacktrace=1}
 LSAN_OPTIONS=${LSAN_OPTIONS:-suppressions=$(pwd)/tools/lsan.supp:print_suppressions=0}
 export BUILD BRDFCL UBSAN_OPTIONS LSAN_OPTIONS
 
-mkdir -p "$logs"
-total_passed=0
-total_failed=0
-total_skipped=0
-
 # Counts of a cmocka log: "passed failed skipped". Failures are named again in the summary of each
 # group, after "N test(s) run.", and must not count twice; a test that began and never ended took the
 # program with it.
@@ -38,7 +33,9 @@ count_cmocka() {
         END { print passed + 0, failed + open, skipped + 0 }' "$1"
 }
 
-for program; do
+# Run one program, leave its counts in NAME.counts, and say how it went, in one piece.
+run_one() {
+    program=$1
     name=$(basename "$program" .sh)
     log=$logs/$name.log
     begin=$(date +%s)
@@ -48,33 +45,46 @@ for program; do
 
     if grep -q '^\[==========\] Running ' "$log"; then
         set -- $(count_cmocka "$log")
-        passed=$1 failed=$2 skipped=$3
         # A fixture of a whole group failed, or something at exit: no test says so.
-        if [ "$status" -ne 0 ] && [ "$failed" -eq 0 ]; then
-            failed=1
+        if [ "$status" -ne 0 ] && [ "$2" -eq 0 ]; then
+            set -- "$1" 1 "$3"
         fi
     else
-        passed=0 failed=0 skipped=0
         case $status in
-        0) passed=1 ;;
-        77) skipped=1 ;;
-        *) failed=1 ;;
+        0) set -- 1 0 0 ;;
+        77) set -- 0 0 1 ;;
+        *) set -- 0 1 0 ;;
         esac
     fi
+    echo "$@" >"$logs/$name.counts"
 
-    printf '  %-28s %4d passed' "$name" "$passed"
-    [ "$failed" -eq 0 ] || printf ', %d FAILED' "$failed"
-    [ "$skipped" -eq 0 ] || printf ', %d skipped' "$skipped"
-    printf '  (%d s)\n' "$seconds"
-    if [ "$failed" -ne 0 ]; then
-        [ "$status" -ne 124 ] || echo "    stopped after $limit s"
-        echo "    exit status $status; the end of $log:"
-        tail -n 40 "$log" | sed 's/^/    | /'
+    row=$(printf '  %-28s %4d passed' "$name" "$1")
+    [ "$2" -eq 0 ] || row="$row, $2 FAILED"
+    [ "$3" -eq 0 ] || row="$row, $3 skipped"
+    row="$row  ($seconds s)"
+    if [ "$2" -ne 0 ]; then
+        [ "$status" -ne 124 ] || row="$row: stopped, it may take $limit s"
+        row="$row
+    exit status $status; the end of $log:
+$(tail -n 40 "$log" | sed 's/^/    | /')"
     fi
-    total_passed=$((total_passed + passed))
-    total_failed=$((total_failed + failed))
-    total_skipped=$((total_skipped + skipped))
-done
+    echo "$row"
+}
 
-echo "$total_passed passed, $total_failed failed, $total_skipped skipped"
-[ "$total_failed" -eq 0 ]
+if [ "$1" = --one ]; then
+    run_one "$2"
+    exit 0
+fi
+
+mkdir -p "$logs"
+rm -f "$logs"/*.counts
+# As many at a time as there are processors: compiling kernels, for one, keeps only one busy.
+printf '%s\n' "$@" | xargs -n 1 -P "${JOBS:-1}" "$0" --one
+
+cat "$logs"/*.counts | awk -v programs=$# '
+    { passed += $1; failed += $2; skipped += $3 }
+    END {
+        failed += programs - NR # one that left no counts
+        printf "%d passed, %d failed, %d skipped\n", passed, failed, skipped
+        exit failed > 0
+    }'
