@@ -11,11 +11,12 @@
 
 enum pt_leaf_line {
     PT_LEAF_P = 0,       /* 3 lines: struct pt_plane, or the centre of a sphere */
-    PT_LEAF_A = 3,       /* 3 lines; sphere: radius, 0, 0 */
-    PT_LEAF_B = 6,       /* 3 lines */
-    PT_LEAF_KIND = 9,    /* int: PT_TRIANGLE ... */
-    PT_LEAF_NUMBER = 10, /* int: of the primitive; lanes without one have a = 0, which never hits */
-    PT_LEAF_LINES = 11
+    PT_LEAF_N = 3,       /* 3 lines; sphere: radius, 0, 0 */
+    PT_LEAF_A = 6,       /* 3 lines */
+    PT_LEAF_B = 9,       /* 3 lines */
+    PT_LEAF_KIND = 12,   /* int: PT_TRIANGLE ... */
+    PT_LEAF_NUMBER = 13, /* int: of the primitive; lanes without one have n = 0, which never hits */
+    PT_LEAF_LINES = 14
 };
 
 /* What a leaf holds, in the two lowest bits of ~reference. */
@@ -42,11 +43,12 @@ static inline struct pt_distance pt_leaf_test(BRDF_GLOBAL const float *chunk, st
     }
     struct pt_plane plane;
     plane.p = PT_LEAF_VECTOR(PT_LEAF_P);
+    plane.n = PT_LEAF_VECTOR(PT_LEAF_N);
     plane.a = PT_LEAF_VECTOR(PT_LEAF_A);
     plane.b = PT_LEAF_VECTOR(PT_LEAF_B);
     struct pt_distance hit = pt_plane_distance(ray, plane, kind);
     if (content & PT_LEAF_SPHERES) {
-        struct pt_distance round = pt_sphere_distance(ray, plane.p, plane.a.x);
+        struct pt_distance round = pt_sphere_distance(ray, plane.p, plane.n.x);
         brdf_mask is_sphere = kind == PT_SPHERE;
         hit.t = brdf_pick(is_sphere, round.t, hit.t);
         hit.u = brdf_pick(is_sphere, round.u, hit.u);

@@ -32,9 +32,10 @@ static inline struct pt_distance pt_ready_distance(BRDF_GLOBAL const float *read
     if (kind == PT_SPHERE) {
         return pt_sphere_distance(ray, plane.p, ready[PT_READY_N]);
     }
+    plane.n = pt_word_vec3(ready + PT_READY_N);
     plane.a = pt_word_vec3(ready + PT_READY_A);
     plane.b = pt_word_vec3(ready + PT_READY_B);
-    return pt_plane_distance_along(ray, plane, pt_word_vec3(ready + PT_READY_N), kind);
+    return pt_plane_distance(ray, plane, kind);
 }
 
 /* A packet of rays against every primitive; ties go to the lower number. */

@@ -35,7 +35,8 @@ struct pt_distance {
  */
 struct pt_plane {
     brdf_vec3 p;
-    brdf_vec3 a; /* a and b are 0 where there is no area: then nothing hits it */
+    brdf_vec3 n; /* normal, largest component 1; 0 where there is no area: then nothing hits it */
+    brdf_vec3 a;
     brdf_vec3 b;
 };
 
@@ -50,37 +51,47 @@ static inline brdf_real pt_largest_component(brdf_vec3 v)
     return brdf_max(fabsf(v.x), brdf_max(fabsf(v.y), fabsf(v.z)));
 }
 
+/*
+ * e1 x e2, as the product of the two shortest sides of the triangle: they meet at its largest
+ * angle, so that the plane of a needle is as exact as any other. (a x b would not do: nearly
+ * parallel, they hold too few digits of it.)
+ */
+static inline brdf_vec3 pt_plane_product(brdf_vec3 e1, brdf_vec3 e2)
+{
+    brdf_vec3 e3 = brdf_sub(e2, e1);
+    brdf_real square1 = brdf_dot(e1, e1);
+    brdf_real square2 = brdf_dot(e2, e2);
+    brdf_real square3 = brdf_dot(e3, e3);
+    brdf_mask drop1 = (square1 > square2) & (square1 > square3);
+    brdf_mask drop2 = (square2 >= square1) & (square2 > square3);
+    return brdf_cross(brdf_vec3_pick(drop1, brdf_negate(e3), e1), brdf_vec3_pick(drop2, e3, e2));
+}
+
 /* Lengths of e1 and e2 from 1e-18 to 1e18, or 0. */
 static inline struct pt_plane pt_plane_make(brdf_vec3 p, brdf_vec3 e1, brdf_vec3 e2)
 {
-    brdf_vec3 n = brdf_cross(e1, e2);
-    brdf_real size = pt_largest_component(n);
+    brdf_vec3 product = pt_plane_product(e1, e2);
+    brdf_real size = pt_largest_component(product);
     brdf_mask solid = size > PT_SLIVER * pt_largest_component(e1) * pt_largest_component(e2);
     /* n is scaled before it is multiplied again: lengths to the fourth power would overflow. */
-    n = brdf_scale(n, brdf_pick(solid, 1.0f / brdf_pick(solid, size, 1.0f), 0.0f));
-    brdf_vec3 a = brdf_cross(e2, n);
-    brdf_real scale = 1.0f / brdf_pick(solid, brdf_dot(e1, a), 1.0f);
+    brdf_real shrink = brdf_pick(solid, 1.0f / brdf_pick(solid, size, 1.0f), 0.0f);
     struct pt_plane plane;
     plane.p = p;
-    plane.a = brdf_scale(a, scale);
-    plane.b = brdf_scale(brdf_cross(n, e1), scale);
+    plane.n = brdf_scale(product, shrink);
+    brdf_real scale = 1.0f / brdf_pick(solid, brdf_dot(product, plane.n), 1.0f);
+    plane.a = brdf_scale(brdf_cross(e2, plane.n), scale);
+    plane.b = brdf_scale(brdf_cross(plane.n, e1), scale);
     return plane;
 }
 
-/* The plane's normal, of any length; as each ray would compute it, it can be kept instead. */
-static inline brdf_vec3 pt_plane_normal(struct pt_plane plane)
-{
-    return brdf_cross(plane.a, plane.b);
-}
-
-/* From both sides, at t > 0; n is pt_plane_normal of the plane. */
-static inline struct pt_distance pt_plane_distance_along(struct pt_ray ray, struct pt_plane plane,
-                                                         brdf_vec3 n, brdf_int kind)
+/* From both sides, at t > 0. */
+static inline struct pt_distance pt_plane_distance(struct pt_ray ray, struct pt_plane plane,
+                                                   brdf_int kind)
 {
     brdf_vec3 from = brdf_sub(ray.o, plane.p);
-    brdf_real slope = brdf_dot(ray.d, n);
+    brdf_real slope = brdf_dot(ray.d, plane.n);
     brdf_mask facing = (slope > 0.0f) | (slope < 0.0f);
-    brdf_real t = -brdf_dot(from, n) / brdf_pick(facing, slope, 1.0f);
+    brdf_real t = -brdf_dot(from, plane.n) / brdf_pick(facing, slope, 1.0f);
     brdf_vec3 at = brdf_add(from, brdf_scale(ray.d, t));
     brdf_real u = brdf_dot(at, plane.a);
     brdf_real v = brdf_dot(at, plane.b);
@@ -92,12 +103,6 @@ static inline struct pt_distance pt_plane_distance_along(struct pt_ray ray, stru
     hit.u = u;
     hit.v = v;
     return hit;
-}
-
-static inline struct pt_distance pt_plane_distance(struct pt_ray ray, struct pt_plane plane,
-                                                   brdf_int kind)
-{
-    return pt_plane_distance_along(ray, plane, pt_plane_normal(plane), kind);
 }
 
 /* The same for one that was not made ready; where it is met often, keep its pt_plane instead. */

@@ -20,6 +20,8 @@ const struct recipe recipes[] = {
     {"a mixture", 1200, ALL, 1.0f, 0.1f, 0.0f, 0, 1},
     {"long ones", 300, ALL, 1.0f, 2.0f, 0.0f, 0, 1},
     {"along the axes", 600, PLANAR, 1.0f, 0.3f, 0.0f, 1, 1},
+    {"along the axes, far away", 600, PLANAR, 1.0f, 0.3f, 3.0e3f, 1, 1},
+    {"slivers", 600, PLANAR, 1.0f, 1.0f, 0.0f, -1, 1},
     {"six of each", 600, ALL, 1.0f, 0.2f, 0.0f, 0, 6},
     {"forty of each", 400, PLANAR, 1.0f, 0.3f, 0.0f, 1, 40},
     {"huge", 600, ALL, 1.0e9f, 1.0e8f, 0.0f, 0, 1},
@@ -70,7 +72,10 @@ static void random_primitive(const struct recipe *recipe, unsigned long long *st
     for (int i = PT_E1; i < PT_KIND; ++i) {
         row[i] = recipe->size * either(state);
     }
-    if (recipe->flat) {
+    for (int i = 0; recipe->flat < 0 && i < 3; ++i) {
+        row[PT_E2 + i] = 0.7f * row[PT_E1 + i] + 3.0e-5f * row[PT_E2 + i];
+    }
+    if (recipe->flat > 0) {
         int axis = below(state, 3);
         float a = row[PT_E1 + axis];
         float b = row[PT_E2 + (axis + 1) % 3];
@@ -128,12 +133,14 @@ static void random_ray(const float *rows, size_t count, float centre, float exte
     const float *other = rows + PT_ROW * ((size_t)next_state(state) % count);
     float target[3];
     int corner = below(state, 4);
+    float beside;
     for (int i = 0; i < 3; ++i) {
         ray[i] = centre + 2.0f * extent * either(state);
     }
     switch (below(state, 8)) {
-    case 0: /* at a vertex, the middle of an edge */
-        point_on(row, corners[corner], corners[corner + 1], target);
+    case 0: /* at a vertex or the middle of an edge, or just beside it */
+        beside = below(state, 2) ? 0.0f : 4.0e-3f * either(state);
+        point_on(row, corners[corner] + beside, corners[corner + 1] - beside, target);
         aim(ray, target);
         break;
     case 1: /* in the plane of a primitive, all but along it */
@@ -152,12 +159,12 @@ static void random_ray(const float *rows, size_t count, float centre, float exte
             ray[i] = row[PT_P + i] - (float)(1 + below(state, 2)) * extent * ray[3 + i];
         }
         break;
-    case 4: /* with one component of zero */
+    case 4: /* with a component of zero: as high as its target, or straight to it */
         point_on(row, 0.2f, 0.2f, target);
-        target[below(state, 3)] = ray[0];
-        ray[below(state, 3)] = target[0];
+        target[below(state, 3)] = ray[below(state, 3)];
+        corner = below(state, 3);
+        ray[corner] = target[corner];
         aim(ray, target);
-        ray[3 + below(state, 3)] *= 0.0f;
         break;
     case 5: /* from far away */
         for (int i = 0; i < 3; ++i) {

@@ -16,7 +16,7 @@ struct recipe {
     float extent; /* half the edge of the cube that holds the centres */
     float size;   /* of a primitive */
     float centre; /* x, y and z of the middle of the cube */
-    int flat;     /* edges along the axes */
+    int flat;     /* 1: edges along the axes; -1: edges along each other, all but */
     int copies;   /* each primitive so many times */
 };
 

@@ -86,7 +86,7 @@ static void sphere_box(const float *row, struct bvh_box *box)
 static void plane_edges(const struct pt_plane *plane, double e1[3], double e2[3], double growth[2])
 {
     double n[3], a[3], b[3], across[3];
-    vector_of(brdf_cross(plane->a, plane->b), n); /* rounded, as the rays meet it */
+    vector_of(plane->n, n);
     vector_of(plane->a, a);
     vector_of(plane->b, b);
     cross(a, b, across);
@@ -110,8 +110,7 @@ static void planar_box(const float *row, int kind, struct bvh_box *box)
     struct pt_plane plane =
         pt_plane_make(brdf_vec3_make(p[0], p[1], p[2]), brdf_vec3_make(f1[0], f1[1], f1[2]),
                       brdf_vec3_make(f2[0], f2[1], f2[2]));
-    brdf_vec3 n = brdf_cross(plane.a, plane.b);
-    if (n.x == 0.0f && n.y == 0.0f && n.z == 0.0f) {
+    if (plane.n.x == 0.0f && plane.n.y == 0.0f && plane.n.z == 0.0f) {
         *box = bvh_box_empty();
         return;
     }

@@ -65,11 +65,12 @@ static void put_primitive(float *lane, const float *row, unsigned number)
     int kind = brdf_bits(row[PT_KIND]);
     if (kind == PT_SPHERE) {
         put_vector(lane + PT_LEAF_P * PT_WIDTH, vector_at(row + PT_P));
-        lane[PT_LEAF_A * PT_WIDTH] = row[PT_RADIUS];
+        lane[PT_LEAF_N * PT_WIDTH] = row[PT_RADIUS];
     } else {
         struct pt_plane plane =
             pt_plane_make(vector_at(row + PT_P), vector_at(row + PT_E1), vector_at(row + PT_E2));
         put_vector(lane + PT_LEAF_P * PT_WIDTH, plane.p);
+        put_vector(lane + PT_LEAF_N * PT_WIDTH, plane.n);
         put_vector(lane + PT_LEAF_A * PT_WIDTH, plane.a);
         put_vector(lane + PT_LEAF_B * PT_WIDTH, plane.b);
     }

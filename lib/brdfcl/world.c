@@ -93,11 +93,10 @@ static brdf_status append_ready(const struct brdfcl_scene *scene, struct world *
         float *to = words->words + world->settings.ready + i * PT_ROW;
         struct pt_plane plane = pt_plane_make(pt_word_vec3(from + PT_P), pt_word_vec3(from + PT_E1),
                                               pt_word_vec3(from + PT_E2));
-        brdf_vec3 normal = pt_plane_normal(plane);
         if (pt_int_bits(from[PT_KIND]) == PT_SPHERE) {
-            normal = brdf_vec3_make(from[PT_RADIUS], 0.0f, 0.0f);
+            plane.n = brdf_vec3_make(from[PT_RADIUS], 0.0f, 0.0f);
         }
-        const brdf_vec3 vectors[4] = {plane.p, normal, plane.a, plane.b};
+        const brdf_vec3 vectors[4] = {plane.p, plane.n, plane.a, plane.b};
         memcpy(to, vectors, sizeof vectors);
         to[PT_READY_KIND] = from[PT_KIND];
         to[PT_READY_SURFACE] = from[PT_SURFACE];
