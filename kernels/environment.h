@@ -9,6 +9,7 @@
 #ifndef PT_ENVIRONMENT_H
 #define PT_ENVIRONMENT_H
 
+#include "intersect.h"
 #include "path.h"
 #include "search.h"
 

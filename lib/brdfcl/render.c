@@ -123,6 +123,29 @@ static int choose_pool(const struct brdfcl_render_options *options, long long pa
     return (pool + 15) / 16 * 16;
 }
 
+/* Does the largest buffer of a device hold the film, and the paths? Asked before anything is made.
+ */
+static brdf_status check_device(const struct brdfcl_scene *scene,
+                                const struct brdfcl_device *device, long long pixels,
+                                size_t state_words, struct brdf_error *error)
+{
+    unsigned long long film = (unsigned long long)pixels * PT_FILM_WORDS * sizeof(float);
+    unsigned long long state = (unsigned long long)state_words * sizeof(float);
+    if (!device || (film <= device->info.largest && state <= device->info.largest)) {
+        return BRDF_OK;
+    }
+    return film > device->info.largest
+               ? brdf_fail(error, BRDF_OUT_OF_MEMORY,
+                           "%d x %d pixels need a buffer of %llu MB; %s gives at most %llu MB: "
+                           "make the picture smaller, or use the C backend",
+                           scene->width, scene->height, film >> 20, device->info.name,
+                           device->info.largest >> 20)
+               : brdf_fail(error, BRDF_OUT_OF_MEMORY,
+                           "the paths in flight need a buffer of %llu MB; %s gives at most %llu "
+                           "MB: use a smaller pool",
+                           state >> 20, device->info.name, device->info.largest >> 20);
+}
+
 brdf_status brdfcl_render(const struct brdfcl_scene *scene,
                           const struct brdfcl_render_options *options,
                           struct brdfcl_render_result *result, struct brdf_error *error)
@@ -147,6 +170,9 @@ brdf_status brdfcl_render(const struct brdfcl_scene *scene,
     double began = render_now();
     int lanes = options->device ? options->device->lanes : 1;
     brdf_status status = world_create(scene, lanes, pool, &job.world, error);
+    if (status == BRDF_OK) {
+        status = check_device(scene, options->device, pixels, job.world.state_words, error);
+    }
     if (status == BRDF_OK) {
         job.film = world_allocate((size_t)pixels * PT_FILM_WORDS * sizeof(float));
         if (!job.film) {
