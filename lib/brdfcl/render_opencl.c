@@ -2,210 +2,15 @@
  * render_opencl.c - the wavefront on an OpenCL device: kernels in order, nothing read back in
  * between but once in a while whether any path is left.
  */
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
-#include "opencl.h"
-#include "render_job.h"
+#include "wavefront.h"
 
 #include "kernels/film.h"
-#include "kernels/sort.h"
-
-/* Work-items of a work-group where each is a packet, a ray or a pixel. */
-#define GROUP_PACKETS 16
-#define GROUP_RAYS 64
-#define GROUP_PIXELS 64
 
 /* From this depth on, every few bounces, the host asks whether any path is left. */
 #define ASK_FROM 8
 #define ASK_EVERY 4
-
-enum stage {
-    STAGE_BEGIN,
-    STAGE_GENERATE,
-    STAGE_EXTEND,
-    STAGE_SORT,
-    STAGE_CONNECT,
-    STAGE_TURN,
-    STAGE_FILM,
-    STAGE_SHADE, /* and one for each further variant */
-    STAGE_COUNT = STAGE_SHADE + PT_MAX_VARIANTS
-};
-
-struct launch {
-    cl_kernel kernel;
-    size_t items; /* a multiple of group */
-    size_t group;
-};
-
-struct wavefront {
-    struct render_job *job;
-    struct brdfcl_device *device;
-    cl_program program;
-    cl_mem settings;
-    cl_mem scene;
-    cl_mem tables;
-    cl_mem state;
-    cl_mem film;
-    struct launch stages[STAGE_COUNT];
-};
-
-/* The program's text: the stages, and a kernel for each variant with its constants written in. */
-static char *program_text(const struct world *world)
-{
-    size_t size = 256 + 1024 * (size_t)world->settings.variant_count;
-    char *text = malloc(size);
-    if (!text) {
-        return NULL;
-    }
-    size_t used = (size_t)snprintf(text, size, "#include \"kernels/wavefront.cl\"\n");
-    for (int v = 0; v < world->settings.variant_count - 1; ++v) {
-        const struct world_variant *variant = &world->variants[v];
-        used += (size_t)snprintf(
-            text + used, size - used,
-            "__kernel void shade_%d(__global const struct pt_settings *settings,\n"
-            "    __global const float *scene, __global const float *tables,\n"
-            "    __global float *state, struct pt_pass pass, int depth)\n"
-            "{\n"
-            "    struct pt_world w = pt_world_make(settings, scene, tables, state);\n"
-            "    struct pt_variant variant = {%uu, 0x%xu, 0x%xu, %d};\n"
-            "    int packet = (int)get_global_id(0);\n"
-            "    if (packet < w.queues[PT_VARIANTS + %d]) {\n"
-            "        pt_shade(w, pass, variant, w.queues[settings->variant_first + %d] + packet,\n"
-            "                 depth);\n"
-            "    }\n"
-            "}\n",
-            v, variant->model, variant->flags, variant->choices, v, v, v);
-    }
-    return text;
-}
-
-static brdf_status build(struct wavefront *wave, struct brdf_error *error)
-{
-    const struct world *world = &wave->job->world;
-    char options[64];
-    snprintf(options, sizeof options, "-DPT_FEATURES=%d", world->settings.features);
-    char *text = program_text(world);
-    if (!text) {
-        return brdf_fail(error, BRDF_OUT_OF_MEMORY, "out of memory for the kernels' text");
-    }
-    brdf_status status =
-        opencl_build(wave->device, text, "wavefront", options, &wave->program, error);
-    free(text);
-    return status;
-}
-
-static brdf_status make_buffers(struct wavefront *wave, struct brdf_error *error)
-{
-    struct brdfcl_device *device = wave->device;
-    const struct world *world = &wave->job->world;
-    size_t film = (size_t)wave->job->pixels * PT_FILM_WORDS * sizeof(float);
-    brdf_status status = opencl_buffer_over(device, &world->settings, sizeof world->settings,
-                                            &wave->settings, error);
-    if (status == BRDF_OK) {
-        status = opencl_buffer_over(device, world->scene, world->scene_words * sizeof(float),
-                                    &wave->scene, error);
-    }
-    if (status == BRDF_OK) {
-        status = opencl_buffer_over(device, world->tables, world->table_words * sizeof(float),
-                                    &wave->tables, error);
-    }
-    if (status == BRDF_OK) {
-        status = opencl_buffer(device, world->state_words * sizeof(float), &wave->state, error);
-    }
-    if (status == BRDF_OK) {
-        status = opencl_buffer(device, film, &wave->film, error);
-    }
-    if (status == BRDF_OK) {
-        status = opencl_check(clEnqueueWriteBuffer(device->queue, wave->film, CL_TRUE, 0, film,
-                                                   wave->job->film, 0, NULL, NULL),
-                              "clEnqueueWriteBuffer", error);
-    }
-    if (status == BRDF_OK) {
-        int first[PT_MAX_VARIANTS];
-        world_variant_first(world, device->lanes, first);
-        size_t at = ((size_t)world->settings.queues + (size_t)world->settings.variant_first) *
-                    sizeof(float);
-        status = opencl_check(clEnqueueWriteBuffer(device->queue, wave->state, CL_TRUE, at,
-                                                   sizeof first, first, 0, NULL, NULL),
-                              "clEnqueueWriteBuffer", error);
-    }
-    return status;
-}
-
-static brdf_status make_stage(struct wavefront *wave, int stage, const char *name, size_t items,
-                              size_t group, struct brdf_error *error)
-{
-    struct launch *launch = &wave->stages[stage];
-    cl_int result;
-    launch->kernel = clCreateKernel(wave->program, name, &result);
-    launch->items = (items + group - 1) / group * group;
-    launch->group = group;
-    if (result == CL_SUCCESS) {
-        const cl_mem arguments[4] = {wave->settings, wave->scene, wave->tables, wave->state};
-        for (cl_uint i = 0; i < 4 && result == CL_SUCCESS; ++i) {
-            result = clSetKernelArg(launch->kernel, i, sizeof(cl_mem), &arguments[i]);
-        }
-    }
-    if (result == CL_SUCCESS && stage == STAGE_FILM) {
-        result = clSetKernelArg(launch->kernel, 6, sizeof(cl_mem), &wave->film);
-    }
-    return opencl_check(result, name, error);
-}
-
-static brdf_status make_stages(struct wavefront *wave, struct brdf_error *error)
-{
-    const struct world *world = &wave->job->world;
-    const struct pt_settings *settings = &world->settings;
-    size_t lanes = (size_t)wave->device->lanes;
-    size_t pool = (size_t)settings->pool;
-    size_t packets = (pool + lanes - 1) / lanes;
-    int hierarchy = (settings->features & PT_HAS_BVH) != 0;
-    size_t group = hierarchy ? GROUP_RAYS : GROUP_PACKETS;
-    size_t rays = hierarchy ? pool : packets;
-    const struct {
-        int stage;
-        const char *name;
-        size_t items;
-        size_t group;
-    } list[] = {
-        {STAGE_BEGIN, "begin", 1, 1},
-        {STAGE_GENERATE, "generate", packets, GROUP_PACKETS},
-        {STAGE_EXTEND, hierarchy ? "extend_rays" : "extend_packets", rays, group},
-        {STAGE_SORT, "sort", (size_t)world->sort_blocks, 1},
-        {STAGE_CONNECT, hierarchy ? "connect_rays" : "connect_packets", rays, group},
-        {STAGE_TURN, "turn", 1, 1},
-        {STAGE_FILM, "film", pool, GROUP_PIXELS},
-    };
-    brdf_status status = BRDF_OK;
-    for (size_t i = 0; i < sizeof list / sizeof list[0] && status == BRDF_OK; ++i) {
-        status = make_stage(wave, list[i].stage, list[i].name, list[i].items, list[i].group, error);
-    }
-    for (int v = 0; v < settings->variant_count && status == BRDF_OK; ++v) {
-        char name[32];
-        snprintf(name, sizeof name, "shade_%d", v);
-        int missed = v == settings->variant_count - 1;
-        size_t items = packets + (size_t)(world->sort_blocks * world->variants[v].surfaces);
-        status = make_stage(wave, STAGE_SHADE + v, missed ? "shade_missed" : name, items,
-                            GROUP_PACKETS, error);
-    }
-    return status;
-}
-
-static cl_int run(struct wavefront *wave, int stage, const struct pt_pass *pass, int depth)
-{
-    const struct launch *launch = &wave->stages[stage];
-    cl_int result = clSetKernelArg(launch->kernel, 4, sizeof *pass, pass);
-    if (result == CL_SUCCESS) {
-        result = clSetKernelArg(launch->kernel, 5, sizeof depth, &depth);
-    }
-    if (result == CL_SUCCESS) {
-        result = clEnqueueNDRangeKernel(wave->device->queue, launch->kernel, 1, NULL,
-                                        &launch->items, &launch->group, 0, NULL, NULL);
-    }
-    return result;
-}
 
 static cl_int read_counters(struct wavefront *wave, int *counters, int count)
 {
@@ -219,19 +24,19 @@ static cl_int bounce(struct wavefront *wave, const struct pt_pass *pass, int dep
     const struct pt_settings *settings = &wave->job->world.settings;
     int lights = settings->features & (PT_HAS_LIGHTS | PT_HAS_CONSTANT | PT_HAS_MAP);
     int environment = settings->features & (PT_HAS_CONSTANT | PT_HAS_MAP);
-    cl_int result = run(wave, STAGE_EXTEND, pass, depth);
+    cl_int result = wavefront_run(wave, STAGE_EXTEND, pass, depth);
     if (result == CL_SUCCESS) {
-        result = run(wave, STAGE_SORT, pass, depth);
+        result = wavefront_run(wave, STAGE_SORT, pass, depth);
     }
     int variants = settings->variant_count - (environment ? 0 : 1);
     for (int v = 0; v < variants && result == CL_SUCCESS; ++v) {
-        result = run(wave, STAGE_SHADE + v, pass, depth);
+        result = wavefront_run(wave, STAGE_SHADE + v, pass, depth);
     }
     if (result == CL_SUCCESS && lights) {
-        result = run(wave, STAGE_CONNECT, pass, depth);
+        result = wavefront_run(wave, STAGE_CONNECT, pass, depth);
     }
     if (result == CL_SUCCESS) {
-        result = run(wave, STAGE_TURN, pass, depth);
+        result = wavefront_run(wave, STAGE_TURN, pass, depth);
     }
     return result;
 }
@@ -241,9 +46,9 @@ static brdf_status trace(struct wavefront *wave, const struct pt_pass *pass,
                          int counters[PT_VARIANTS], struct brdf_error *error)
 {
     int max_depth = wave->job->world.settings.max_depth;
-    cl_int result = run(wave, STAGE_BEGIN, pass, 0);
+    cl_int result = wavefront_run(wave, STAGE_BEGIN, pass, 0);
     if (result == CL_SUCCESS) {
-        result = run(wave, STAGE_GENERATE, pass, 0);
+        result = wavefront_run(wave, STAGE_GENERATE, pass, 0);
     }
     for (int depth = 0; depth < max_depth && result == CL_SUCCESS; ++depth) {
         result = bounce(wave, pass, depth);
@@ -255,48 +60,12 @@ static brdf_status trace(struct wavefront *wave, const struct pt_pass *pass,
         }
     }
     if (result == CL_SUCCESS) {
-        result = run(wave, STAGE_FILM, pass, 0);
+        result = wavefront_run(wave, STAGE_FILM, pass, 0);
     }
     if (result == CL_SUCCESS) {
         result = read_counters(wave, counters, PT_VARIANTS);
     }
     return opencl_check(result, "running the path tracer's kernels", error);
-}
-
-/* Every kernel once with nothing to do: devices compile for a launch what they have not yet. */
-static brdf_status warm_up(struct wavefront *wave, struct brdf_error *error)
-{
-    struct pt_pass nothing;
-    memset(&nothing, 0, sizeof nothing);
-    cl_int result = CL_SUCCESS;
-    for (int stage = 0; stage < STAGE_COUNT && result == CL_SUCCESS; ++stage) {
-        if (wave->stages[stage].kernel) {
-            result = run(wave, stage, &nothing, 0);
-        }
-    }
-    if (result == CL_SUCCESS) {
-        result = clFinish(wave->device->queue);
-    }
-    return opencl_check(result, "compiling the path tracer's kernels", error);
-}
-
-static void release(struct wavefront *wave)
-{
-    clFinish(wave->device->queue);
-    for (int stage = 0; stage < STAGE_COUNT; ++stage) {
-        if (wave->stages[stage].kernel) {
-            clReleaseKernel(wave->stages[stage].kernel);
-        }
-    }
-    cl_mem buffers[] = {wave->settings, wave->scene, wave->tables, wave->state, wave->film};
-    for (size_t i = 0; i < sizeof buffers / sizeof buffers[0]; ++i) {
-        if (buffers[i]) {
-            clReleaseMemObject(buffers[i]);
-        }
-    }
-    if (wave->program) {
-        clReleaseProgram(wave->program);
-    }
 }
 
 static brdf_status run_passes(struct wavefront *wave, struct brdf_error *error)
@@ -322,26 +91,14 @@ static brdf_status run_passes(struct wavefront *wave, struct brdf_error *error)
 brdf_status render_opencl(struct render_job *job, struct brdf_error *error)
 {
     struct wavefront wave;
-    memset(&wave, 0, sizeof wave);
-    wave.job = job;
-    wave.device = job->options->device;
     double began = render_now();
-    brdf_status status = build(&wave, error);
-    if (status == BRDF_OK) {
-        status = make_buffers(&wave, error);
-    }
-    if (status == BRDF_OK) {
-        status = make_stages(&wave, error);
-    }
-    if (status == BRDF_OK) {
-        status = warm_up(&wave, error);
-    }
+    brdf_status status = wavefront_create(&wave, job, error);
     job->started = render_now();
     job->reported = job->started;
     job->result->seconds_kernel_build += job->started - began;
     if (status == BRDF_OK) {
         status = run_passes(&wave, error);
     }
-    release(&wave);
+    wavefront_release(&wave);
     return status;
 }
