@@ -77,15 +77,23 @@ static double f_cos(brdf_vec3 wi, void *data)
     return mean(brdf_eval(view->bsdf, view->wo, wi)) * fabs((double)wi.z);
 }
 
-/* The mean weight of samples that are no deltas: what the integral of f |cos| must be. */
-static double albedo_by_sampling(const struct view *view)
+/*
+ * The mean weight of samples that are no deltas: what the integral of f |cos| must be. Samples of
+ * weight up to 1 are many and even; `error` is what the rare ones above it (into a thinner medium)
+ * leave uncertain.
+ */
+static double albedo_by_sampling(const struct view *view, double *error)
 {
     size_t count = models_long() ? 1 << 20 : 1 << 15;
     double sum = 0.0;
+    double heavy = 0.0;
     for (size_t i = 0; i < count; ++i) {
         struct brdf_sample s = brdf_sample(view->bsdf, view->wo, models_even_point(i, count));
-        sum += s.delta ? 0.0 : mean(s.weight);
+        double weight = s.delta ? 0.0 : mean(s.weight);
+        sum += weight;
+        heavy += pow(fmax(weight - 1.0, 0.0), 2.0);
     }
+    *error = sqrt(heavy) / (double)count;
     return sum / (double)count;
 }
 
@@ -127,7 +135,8 @@ static int check_known(const struct known *row)
     for (int i = 0; i < COSINES; ++i) {
         struct view view = {bsdf, direction_of(cosines[i], 0.7)};
         double tolerance = i == 0 ? row->tolerance_grazing : row->tolerance;
-        double sampled = albedo_by_sampling(&view);
+        double uncertain;
+        double sampled = albedo_by_sampling(&view, &uncertain);
         struct sphere_sum integral = albedo_by_quadrature(&view);
         if (!(fabs(sampled - row->albedo[i]) <= tolerance) ||
             !(fabs(integral.value - row->albedo[i]) <= tolerance)) {
@@ -174,11 +183,13 @@ static void sampled_albedo_is_integrated_albedo(void **state)
         const struct model_case *one = &cases->items[i];
         for (size_t k = 0; k < sizeof some / sizeof some[0]; ++k) {
             struct view view = {&one->bsdf, direction_of(some[k], 0.3 + (double)i)};
-            double sampled = albedo_by_sampling(&view);
+            double uncertain;
+            double sampled = albedo_by_sampling(&view, &uncertain);
+            double allowed = 1e-3 + 3.0 * uncertain;
             struct sphere_sum integral = albedo_by_quadrature(&view);
             if (integral.error > 5e-4) {
                 ++unresolved;
-            } else if (!(fabs(sampled - integral.value) <= 1e-3 + 2e-3 * integral.value)) {
+            } else if (!(fabs(sampled - integral.value) <= allowed + 2e-3 * integral.value)) {
                 models_fail(cases, one, "cos = %.2f: %.5f by sampling, %.5f by quadrature", some[k],
                             sampled, integral.value);
             }
