@@ -13,4 +13,5 @@
 #include "model/phong.h"
 #include "model/roughconductor.h"
 #include "model/dielectric.h"
+#include "model/conductor.h"
 #include "model/merl.h"
