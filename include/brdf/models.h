@@ -14,4 +14,5 @@
 #include "model/roughconductor.h"
 #include "model/dielectric.h"
 #include "model/conductor.h"
+#include "model/thindielectric.h"
 #include "model/merl.h"
