@@ -15,4 +15,5 @@
 #include "model/dielectric.h"
 #include "model/conductor.h"
 #include "model/thindielectric.h"
+#include "model/roughdielectric.h"
 #include "model/merl.h"

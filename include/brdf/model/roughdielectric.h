@@ -1,0 +1,199 @@
+/*
+ * roughdielectric - a rough interface between two dielectrics: frosted glass, seen from both sides.
+ *
+ * Reflection and refraction by one microfacet [Walter et al. 2007, eq. 20 and 21, with the normals
+ * of eq. 13 and 16 and the Jacobians of eq. 14 and 17], exact Fresnel, visible normals. As Walter's
+ * eq. 21 is written, radiance that passes is scaled by 1 / eta^2 [Veach 1997, 5.2].
+ * Masking is Smith's: `correlated` is 1 / (1 + Lambda(wo) + Lambda(wi)) on either side, `separable`
+ * what Mitsuba 3 computes. Light that would meet several facets is lost. Indices that differ
+ * by less than 1/1000 count as equal: light passes straight on, as a delta.
+ */
+#ifndef BRDF_MODEL_ROUGHDIELECTRIC_H
+#define BRDF_MODEL_ROUGHDIELECTRIC_H
+
+#include "../interface.h"
+#include "../microfacet.h"
+#include "../parameters.h"
+#include "../sample.h"
+
+#define BRDF_ROUGHDIELECTRIC_PARAMETERS(P)                                                         \
+    P(CHOICE, distribution, 0, 0, 1, "beckmann|ggx", "distribution of the facets' normals")        \
+    P(CHOICE, masking, 0, 0, 1, "correlated|separable", "Smith masking and shadowing together")    \
+    P(REAL, int_ior, 1.5046f, 0.1f, 10.0f, "ior", "refractive index below the surface")            \
+    P(REAL, ext_ior, 1.000277f, 0.1f, 10.0f, "ior", "refractive index above the surface")          \
+    P(ALIAS, alpha, 0, 0, 0, "alpha_u|alpha_v", "roughness along both tangents")                   \
+    P(REAL, alpha_u, 0.1f, 1e-4f, 2.0f, "1", "roughness along the tangent")                        \
+    P(REAL, alpha_v, 0.1f, 1e-4f, 2.0f, "1", "roughness along the bitangent")                      \
+    P(COLOR, specular_reflectance, 1.0f, 0.0f, 1.0f, "1",                                          \
+      "factor of the reflection; 1 is physical")                                                   \
+    P(COLOR, specular_transmittance, 1.0f, 0.0f, 1.0f, "1",                                        \
+      "factor of the transmission; 1 is physical")
+
+struct brdf_roughdielectric {
+    BRDF_ROUGHDIELECTRIC_PARAMETERS(BRDF_FIELD)
+};
+
+/* The facet that sends light from wi to wo; the same bits with the two exchanged. */
+struct brdf_roughdielectric_facet {
+    brdf_mask mirrors; /* wo and wi on one side */
+    brdf_mask exists;
+    brdf_vec3 h;           /* on the upper side */
+    brdf_real reflectance; /* Fresnel's */
+    brdf_real cos_o;       /* of wo, wi to the facet on their own side */
+    brdf_real cos_i;
+    brdf_real length2; /* of the sum of the directions, each times its index over ext_ior */
+};
+
+/* eta: below over above. */
+static inline struct brdf_roughdielectric_facet
+brdf_roughdielectric_facet_between(brdf_vec3 wo, brdf_vec3 wi, brdf_real eta)
+{
+    struct brdf_roughdielectric_facet facet;
+    brdf_mask outside = wo.z > 0.0f;
+    facet.mirrors = (outside & (wi.z > 0.0f)) | ((wo.z < 0.0f) & (wi.z < 0.0f));
+    brdf_mask passes = (outside & (wi.z < 0.0f)) | ((wo.z < 0.0f) & (wi.z > 0.0f));
+    brdf_vec3 above = brdf_vec3_pick(outside, wo, wi);
+    brdf_vec3 below = brdf_vec3_pick(outside, wi, wo);
+    brdf_vec3 sum =
+        brdf_vec3_pick(facet.mirrors, brdf_add(wo, wi), brdf_add(above, brdf_scale(below, eta)));
+    brdf_vec3 h = brdf_normalize(sum);
+    facet.h = brdf_vec3_pick(h.z < 0.0f, brdf_negate(h), h);
+    facet.length2 = brdf_max(brdf_dot(sum, sum), 1e-12f);
+
+    brdf_real dot_o = brdf_dot(wo, facet.h);
+    brdf_real dot_i = brdf_dot(wi, facet.h);
+    facet.cos_o = brdf_clamp(brdf_pick(outside, dot_o, -dot_o), 0.0f, 1.0f);
+    facet.cos_i = brdf_clamp(brdf_pick(wi.z > 0.0f, dot_i, -dot_i), 0.0f, 1.0f);
+    facet.exists = facet.mirrors | (passes & (facet.cos_o > 0.0f) & (facet.cos_i > 0.0f));
+
+    brdf_real cos_above = brdf_pick(outside, facet.cos_o, facet.cos_i);
+    brdf_real cos_below = brdf_pick(outside, facet.cos_i, facet.cos_o);
+    brdf_real mirrored = brdf_fresnel_dielectric(0.5f * (facet.cos_o + facet.cos_i),
+                                                 brdf_pick(outside, eta, 1.0f / eta))
+                             .reflectance;
+    brdf_real between = brdf_fresnel_between(cos_above, cos_below, eta);
+    facet.reflectance = brdf_pick(facet.mirrors, mirrored, between);
+    return facet;
+}
+
+/* Is there no interface, for want of a difference? eta as above. */
+static inline brdf_mask brdf_roughdielectric_vanishes(brdf_real eta)
+{
+    return fabsf(eta - 1.0f) < 1e-3f;
+}
+
+/* w in the place of which the distribution and its masking speak: on the upper side. */
+static inline brdf_vec3 brdf_roughdielectric_upper(brdf_vec3 w)
+{
+    return brdf_vec3_make(w.x, w.y, fabsf(w.z));
+}
+
+/* Masking and shadowing over both cosines, and the facets' area seen from wo. */
+struct brdf_roughdielectric_view {
+    brdf_real visibility;
+    brdf_real area_o;
+};
+
+static inline struct brdf_roughdielectric_view
+brdf_roughdielectric_view_of(struct brdf_roughdielectric p, brdf_vec3 wo, brdf_vec3 wi)
+{
+    struct brdf_roughdielectric_view view;
+    brdf_vec3 o = brdf_roughdielectric_upper(wo);
+    brdf_vec3 i = brdf_roughdielectric_upper(wi);
+    view.area_o = brdf_microfacet_area(p.distribution, o, p.alpha_u, p.alpha_v);
+    brdf_real area_i = brdf_microfacet_area(p.distribution, i, p.alpha_u, p.alpha_v);
+    view.visibility = brdf_microfacet_visibility(p.masking, o.z, i.z, view.area_o, area_i);
+    return view;
+}
+
+static inline brdf_rgb brdf_roughdielectric_eval(struct brdf_roughdielectric p, brdf_vec3 wo,
+                                                 brdf_vec3 wi, BRDF_GLOBAL const float *table)
+{
+    (void)table;
+    brdf_real eta = p.int_ior / p.ext_ior;
+    struct brdf_roughdielectric_facet facet = brdf_roughdielectric_facet_between(wo, wi, eta);
+    struct brdf_roughdielectric_view view = brdf_roughdielectric_view_of(p, wo, wi);
+    brdf_real d = brdf_microfacet_d(p.distribution, facet.h, p.alpha_u, p.alpha_v);
+    brdf_real both = d * view.visibility;
+    brdf_real index_o = brdf_pick(wo.z > 0.0f, 1.0f, eta); /* over ext_ior */
+    brdf_real reflected = 0.25f * facet.reflectance * both;
+    brdf_real passed = (1.0f - facet.reflectance) * both * (facet.cos_o * facet.cos_i) *
+                       (index_o * index_o) / facet.length2;
+    brdf_rgb f = brdf_rgb_pick(facet.mirrors, brdf_rgb_scale(p.specular_reflectance, reflected),
+                               brdf_rgb_scale(p.specular_transmittance, passed));
+    brdf_mask shown = facet.exists & !brdf_roughdielectric_vanishes(eta);
+    return brdf_rgb_pick(shown, f, brdf_gray(0.0f));
+}
+
+static inline brdf_real brdf_roughdielectric_pdf(struct brdf_roughdielectric p, brdf_vec3 wo,
+                                                 brdf_vec3 wi, BRDF_GLOBAL const float *table)
+{
+    (void)table;
+    brdf_real eta = p.int_ior / p.ext_ior;
+    struct brdf_roughdielectric_facet facet = brdf_roughdielectric_facet_between(wo, wi, eta);
+    brdf_vec3 o = brdf_roughdielectric_upper(wo);
+    brdf_real d = brdf_microfacet_d(p.distribution, facet.h, p.alpha_u, p.alpha_v);
+    brdf_real area = brdf_microfacet_area(p.distribution, o, p.alpha_u, p.alpha_v);
+    brdf_real visible = d / brdf_max(area, 1e-20f); /* density of normals, over cos_o */
+    brdf_real index_i = brdf_pick(wo.z > 0.0f, eta, 1.0f);
+    brdf_real reflected = 0.25f * facet.reflectance * visible;
+    brdf_real passed = (1.0f - facet.reflectance) * visible * (facet.cos_o * facet.cos_i) *
+                       (index_i * index_i) / facet.length2;
+    brdf_mask shown = facet.exists & !brdf_roughdielectric_vanishes(eta);
+    return brdf_pick(shown, brdf_pick(facet.mirrors, reflected, passed), 0.0f);
+}
+
+/* Where there is no interface: straight on. */
+static inline struct brdf_sample brdf_roughdielectric_straight(struct brdf_roughdielectric p,
+                                                               brdf_vec3 wo)
+{
+    struct brdf_sample s = brdf_sample_make(brdf_negate(wo), p.specular_transmittance, 1.0f);
+    s.delta = brdf_mask_of(1);
+    return s;
+}
+
+static inline struct brdf_sample brdf_roughdielectric_sample(struct brdf_roughdielectric p,
+                                                             brdf_vec3 wo, brdf_vec3 u,
+                                                             BRDF_GLOBAL const float *table)
+{
+    brdf_mask outside = wo.z > 0.0f;
+    brdf_real ratio = p.int_ior / p.ext_ior;
+    brdf_real eta = brdf_pick(outside, ratio, 1.0f / ratio); /* far over near */
+    brdf_vec3 o = brdf_roughdielectric_upper(wo);
+    brdf_vec3 h = brdf_microfacet_sample(p.distribution, o, p.alpha_u, p.alpha_v, u.x, u.y);
+    brdf_real cosine = brdf_clamp(brdf_dot(o, h), 0.0f, 1.0f);
+    struct brdf_fresnel fresnel = brdf_fresnel_dielectric(cosine, eta);
+    brdf_mask reflects = u.z < fresnel.reflectance;
+    brdf_vec3 refracted = brdf_refract(o, h, cosine, fresnel.cos_t, eta);
+    brdf_vec3 i = brdf_normalize(brdf_vec3_pick(reflects, brdf_reflect(o, h), refracted));
+    brdf_mask arrives = (reflects & (i.z > 0.0f)) | (!reflects & (i.z < 0.0f));
+    brdf_vec3 wi = brdf_vec3_make(i.x, i.y, brdf_pick(outside, i.z, -i.z));
+
+    brdf_real pdf = brdf_roughdielectric_pdf(p, wo, wi, table);
+    /* f cos / pdf = G2 / G1, over eta^2 if it passes: all else cancels. */
+    struct brdf_roughdielectric_view view = brdf_roughdielectric_view_of(p, wo, wi);
+    brdf_real seen = brdf_min(view.visibility * view.area_o * fabsf(i.z), 1.0f);
+    brdf_rgb factor = brdf_rgb_pick(reflects, p.specular_reflectance,
+                                    brdf_rgb_scale(p.specular_transmittance, 1.0f / (eta * eta)));
+    struct brdf_sample s = brdf_sample_make(wi, brdf_rgb_scale(factor, seen), pdf);
+    s.eta = brdf_pick(reflects, 1.0f, eta);
+
+    struct brdf_sample straight = brdf_roughdielectric_straight(p, wo);
+    brdf_mask vanishes = brdf_roughdielectric_vanishes(ratio);
+    s.wi = brdf_vec3_pick(vanishes, straight.wi, s.wi);
+    s.weight = brdf_rgb_pick(vanishes, straight.weight, s.weight);
+    s.pdf = brdf_pick(vanishes, straight.pdf, s.pdf);
+    s.eta = brdf_pick(vanishes, straight.eta, s.eta);
+    s.delta = straight.delta & vanishes;
+    /* A density below 1e-30 says that rounding has taken wi off every facet: alpha is too small. */
+    return brdf_sample_where((o.z > 0.0f) & (vanishes | (arrives & (pdf > 1e-30f))), s);
+}
+
+#endif
+
+#ifdef BRDF_MODEL
+BRDF_MODEL(roughdielectric, ROUGHDIELECTRIC,
+           BRDF_REFLECTION | BRDF_TRANSMISSION | BRDF_ANISOTROPIC | BRDF_RECIPROCAL,
+           "rough interface between two dielectrics: frosted glass",
+           "Walter et al. 2007; Heitz 2014")
+#endif
