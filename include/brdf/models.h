@@ -16,4 +16,5 @@
 #include "model/conductor.h"
 #include "model/thindielectric.h"
 #include "model/roughdielectric.h"
+#include "model/plastic.h"
 #include "model/merl.h"
