@@ -145,7 +145,8 @@ static brdf_status bsdf_read_setting(const struct scene_loader *loader, const st
         status = BRDF_OK;
     } else if (scene_list_has("float|integer|rgb|spectrum", node->tag)) {
         status = bsdf_read_numbers(loader, node, model, parameter, setting);
-    } else if (strcmp(node->tag, "string") == 0) {
+    } else if (strcmp(node->tag, "string") == 0 ||
+               (strcmp(node->tag, "boolean") == 0 && parameter->kind == BRDF_KIND_CHOICE)) {
         status = bsdf_read_text(loader, node, parameter, draft);
     } else {
         status =

@@ -19,6 +19,8 @@ struct assumption {
 static const struct assumption assumptions[] = {
     {"roughconductor", "masking", "separable", {"masking", NULL, NULL}},
     {"roughconductor", "material", "none", {"material", "eta", "k"}},
+    {"conductor", "material", "none", {"material", "eta", "k"}},
+    {"roughdielectric", "masking", "separable", {"masking", NULL, NULL}},
 };
 
 static int is_given(const struct brdf_setting *settings, size_t count, const char *name)
