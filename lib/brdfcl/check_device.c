@@ -75,11 +75,12 @@ brdf_status check_device_build(struct check_device *check, const struct brdf_mat
                                struct brdf_error *error)
 {
     char options[128];
-    snprintf(options, sizeof options, "-DCHECK_MODEL=%uu -DCHECK_FLAGS=%uu -DCHECK_CHOICES=%uu",
-             material->model, material->flags, material->choices);
+    snprintf(options, sizeof options, "-DCHECK_MODEL=%s -DCHECK_FLAGS=%uu -DCHECK_CHOICES=%uu",
+             opencl_model_tag(material->model), material->flags, material->choices);
     release_program(check);
-    brdf_status status = opencl_build(check->device, "#include \"kernels/check.cl\"\n", "check",
-                                      options, &check->program, error);
+    brdf_status status =
+        opencl_build(check->device, OPENCL_MODEL(material->model),
+                     "#include \"kernels/check.cl\"\n", "check", options, &check->program, error);
     if (!status) {
         cl_int cl;
         check->kernel = clCreateKernel(check->program, "check", &cl);

@@ -53,10 +53,11 @@ static brdf_status build(struct brdfcl_evaluator *evaluator, const struct brdf_m
                                                   "evaluate_sample", "evaluate_bounce"};
     char options[128];
     snprintf(options, sizeof options,
-             "-DEVALUATE_MODEL=%uu -DEVALUATE_FLAGS=%uu -DEVALUATE_CHOICES=%uu", material->model,
-             material->flags, material->choices);
-    brdf_status status = opencl_build(evaluator->device, "#include \"kernels/evaluate.cl\"\n",
-                                      "evaluate", options, &evaluator->program, error);
+             "-DEVALUATE_MODEL=%s -DEVALUATE_FLAGS=%uu -DEVALUATE_CHOICES=%uu",
+             opencl_model_tag(material->model), material->flags, material->choices);
+    brdf_status status = opencl_build(evaluator->device, OPENCL_MODEL(material->model),
+                                      "#include \"kernels/evaluate.cl\"\n", "evaluate", options,
+                                      &evaluator->program, error);
     for (int i = 0; i < OPERATIONS && !status; ++i) {
         cl_int cl;
         evaluator->kernel[i] = clCreateKernel(evaluator->program, names[i], &cl);

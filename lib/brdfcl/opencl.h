@@ -30,13 +30,27 @@ const char *opencl_status_name(cl_int status);
  */
 brdf_status opencl_check(cl_int status, const char *call, struct brdf_error *error);
 
+/* The models that a program needs, a bit each by their tag. */
+typedef unsigned long long opencl_models;
+#define OPENCL_MODEL(tag) (1ull << (tag))
+
+/* The name of a model's tag in a program, "BRDF_MODEL_DIFFUSE": its number depends on the program.
+ */
+const char *opencl_model_tag(unsigned model);
+
 /*
  * Build a program from text: quoted includes of shared headers and kernels are expanded, the lanes
- * and the flags of bit-exactness are set; `options` adds to them. Build errors carry the compiler's
- * log, whose places are those of the source files.
+ * and the flags of bit-exactness are set; `options` adds to them. The list of models that it sees
+ * has only those in `models`, so that a program with one model compiles as fast as if there were no
+ * others. Build errors carry the compiler's log, whose places are those of the source files.
  */
-brdf_status opencl_build(struct brdfcl_device *device, const char *text, const char *text_name,
-                         const char *options, cl_program *program, struct brdf_error *error);
+brdf_status opencl_build(struct brdfcl_device *device, opencl_models models, const char *text,
+                         const char *text_name, const char *options, cl_program *program,
+                         struct brdf_error *error);
+
+/* The text of such a program; *out is malloc'd. */
+brdf_status opencl_expand(opencl_models models, const char *text, const char *text_name, char **out,
+                          struct brdf_error *error);
 
 /*
  * A buffer over host memory: the same bytes on a processor (no copy where the memory is aligned to

@@ -32,14 +32,14 @@ static char *program_text(const struct world *world)
             "    __global float *state, struct pt_pass pass, int depth)\n"
             "{\n"
             "    struct pt_world w = pt_world_make(settings, scene, tables, state);\n"
-            "    struct pt_variant variant = {%uu, 0x%xu, 0x%xu, %d};\n"
+            "    struct pt_variant variant = {%s, 0x%xu, 0x%xu, %d};\n"
             "    int packet = (int)get_global_id(0);\n"
             "    if (packet < w.queues[PT_VARIANTS + %d]) {\n"
             "        pt_shade(w, pass, variant, w.queues[settings->variant_first + %d] + packet,\n"
             "                 depth);\n"
             "    }\n"
             "}\n",
-            v, variant->model, variant->flags, variant->choices, v, v, v);
+            v, opencl_model_tag(variant->model), variant->flags, variant->choices, v, v, v);
     }
     return text;
 }
@@ -53,8 +53,12 @@ static brdf_status build(struct wavefront *wave, struct brdf_error *error)
     if (!text) {
         return brdf_fail(error, BRDF_OUT_OF_MEMORY, "out of memory for the kernels' text");
     }
+    opencl_models models = 0;
+    for (int v = 0; v < world->settings.variant_count - 1; ++v) {
+        models |= OPENCL_MODEL(world->variants[v].model);
+    }
     brdf_status status =
-        opencl_build(wave->device, text, "wavefront", options, &wave->program, error);
+        opencl_build(wave->device, models, text, "wavefront", options, &wave->program, error);
     free(text);
     return status;
 }

@@ -1,10 +1,11 @@
 /*
  * world.c - from the scene in the host's memory to the arrays that the stages read.
  */
-#define _POSIX_C_SOURCE 200809L
+#define _DEFAULT_SOURCE
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 
 #include "world.h"
 
@@ -12,14 +13,23 @@
 #include "kernels/sort.h"
 
 #define ALIGNMENT 64
+#define HUGE_PAGE ((size_t)2 << 20)
 
 void *world_allocate(size_t bytes)
 {
     void *memory = NULL;
     bytes = bytes > 0 ? bytes : ALIGNMENT;
-    if (posix_memalign(&memory, ALIGNMENT, bytes) != 0) {
+    size_t alignment = bytes >= HUGE_PAGE ? HUGE_PAGE : ALIGNMENT;
+    if (posix_memalign(&memory, alignment, bytes) != 0) {
         return NULL;
     }
+#ifdef MADV_HUGEPAGE
+    /* A hierarchy is walked at random: with large pages its addresses stay known to the core. Only
+       advice, so whether it is taken does not matter. */
+    if (bytes >= HUGE_PAGE) {
+        madvise(memory, bytes, MADV_HUGEPAGE);
+    }
+#endif
     memset(memory, 0, bytes);
     return memory;
 }
