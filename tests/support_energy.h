@@ -1,0 +1,35 @@
+/*
+ * support_energy.h - how much light a material reflects: by sampling, by quadrature, and as known.
+ */
+#ifndef SUPPORT_ENERGY_H
+#define SUPPORT_ENERGY_H
+
+#include <brdf/material.h>
+
+#include "support_sphere.h"
+
+enum { ENERGY_COSINES = 5 };
+
+/* The cosines of wo that known albedos are for: 0.1, 0.25, 0.5, 0.75, 1. */
+extern const double energy_cosines[ENERGY_COSINES];
+
+struct energy_known {
+    const char *description;
+    double albedo[ENERGY_COSINES]; /* mean of the channels, at the cosines above */
+    double tolerance;
+    double tolerance_grazing; /* of the first cosine */
+};
+
+/* A direction by its cosine with the normal and its azimuth [rad]. */
+brdf_vec3 energy_direction(double cosine, double phi);
+
+/* The mean weight of samples that are no deltas: what the integral of f |cos| must be. */
+double energy_by_sampling(const struct brdf_bsdf *bsdf, brdf_vec3 wo);
+
+/* The integral of f |cos|, in cells that follow the samples. */
+struct sphere_sum energy_by_quadrature(const struct brdf_bsdf *bsdf, brdf_vec3 wo);
+
+/* Rows against both; what differs is printed. Returns the number of failures. */
+int energy_check_known(const struct energy_known *rows, size_t count);
+
+#endif
