@@ -11,6 +11,7 @@
  */
 #include "model/diffuse.h"
 #include "model/phong.h"
+#include "model/blinnphong.h"
 #include "model/roughconductor.h"
 #include "model/dielectric.h"
 #include "model/conductor.h"
