@@ -12,6 +12,7 @@
 #include "model/diffuse.h"
 #include "model/phong.h"
 #include "model/blinnphong.h"
+#include "model/ward.h"
 #include "model/roughconductor.h"
 #include "model/dielectric.h"
 #include "model/conductor.h"
