@@ -13,6 +13,7 @@
 #include "model/phong.h"
 #include "model/blinnphong.h"
 #include "model/ward.h"
+#include "model/ashikhminshirley.h"
 #include "model/roughconductor.h"
 #include "model/dielectric.h"
 #include "model/conductor.h"
