@@ -14,6 +14,7 @@
 #include "model/blinnphong.h"
 #include "model/ward.h"
 #include "model/ashikhminshirley.h"
+#include "model/torrancesparrow.h"
 #include "model/roughconductor.h"
 #include "model/dielectric.h"
 #include "model/conductor.h"
