@@ -15,6 +15,7 @@
 #include "model/ward.h"
 #include "model/ashikhminshirley.h"
 #include "model/torrancesparrow.h"
+#include "model/cooktorrance.h"
 #include "model/roughconductor.h"
 #include "model/dielectric.h"
 #include "model/conductor.h"
