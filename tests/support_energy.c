@@ -40,15 +40,19 @@ brdf_vec3 energy_direction(double cosine, double phi)
         brdf_vec3_make((float)(radius * cos(phi)), (float)(radius * sin(phi)), (float)cosine));
 }
 
-double energy_by_sampling(const struct brdf_bsdf *bsdf, brdf_vec3 wo)
+struct energy_mean energy_by_sampling(const struct brdf_bsdf *bsdf, brdf_vec3 wo)
 {
     size_t count = models_long() ? 1 << 20 : 1 << 15;
     double sum = 0.0;
+    double heavy = 0.0;
     for (size_t i = 0; i < count; ++i) {
         struct brdf_sample s = brdf_sample(bsdf, wo, models_even_point(i, count));
-        sum += s.delta ? 0.0 : mean(s.weight);
+        double weight = s.delta ? 0.0 : mean(s.weight);
+        sum += weight;
+        heavy += pow(fmax(weight - 1.0, 0.0), 2.0);
     }
-    return sum / (double)count;
+    struct energy_mean result = {sum / (double)count, sqrt(heavy) / (double)count};
+    return result;
 }
 
 struct sphere_sum energy_by_quadrature(const struct brdf_bsdf *bsdf, brdf_vec3 wo)
@@ -83,7 +87,7 @@ static int check_row(const struct energy_known *row)
     for (int i = 0; i < ENERGY_COSINES; ++i) {
         brdf_vec3 wo = energy_direction(energy_cosines[i], 0.7);
         double tolerance = i == 0 ? row->tolerance_grazing : row->tolerance;
-        double sampled = energy_by_sampling(bsdf, wo);
+        double sampled = energy_by_sampling(bsdf, wo).value;
         double integral = energy_by_quadrature(bsdf, wo).value;
         if (!(fabs(sampled - row->albedo[i]) <= tolerance) ||
             !(fabs(integral - row->albedo[i]) <= tolerance)) {

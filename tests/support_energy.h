@@ -23,8 +23,17 @@ struct energy_known {
 /* A direction by its cosine with the normal and its azimuth [rad]. */
 brdf_vec3 energy_direction(double cosine, double phi);
 
-/* The mean weight of samples that are no deltas: what the integral of f |cos| must be. */
-double energy_by_sampling(const struct brdf_bsdf *bsdf, brdf_vec3 wo);
+struct energy_mean {
+    double value;
+    double error; /* what rare samples leave uncertain */
+};
+
+/*
+ * The mean weight of samples that are no deltas: what the integral of f |cos| must be. Samples of
+ * weight up to 1 are many and even; `error` comes from the rare ones above it (into a thinner
+ * medium).
+ */
+struct energy_mean energy_by_sampling(const struct brdf_bsdf *bsdf, brdf_vec3 wo);
 
 /* The integral of f |cos|, in cells that follow the samples. */
 struct sphere_sum energy_by_quadrature(const struct brdf_bsdf *bsdf, brdf_vec3 wo);
