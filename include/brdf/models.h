@@ -22,4 +22,5 @@
 #include "model/thindielectric.h"
 #include "model/roughdielectric.h"
 #include "model/plastic.h"
+#include "model/orennayar.h"
 #include "model/merl.h"
