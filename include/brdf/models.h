@@ -23,4 +23,5 @@
 #include "model/roughdielectric.h"
 #include "model/plastic.h"
 #include "model/orennayar.h"
+#include "model/lommelseeliger.h"
 #include "model/merl.h"
