@@ -24,4 +24,5 @@
 #include "model/plastic.h"
 #include "model/orennayar.h"
 #include "model/lommelseeliger.h"
+#include "model/hapke.h"
 #include "model/merl.h"
