@@ -80,7 +80,7 @@ static int axis_to_cut(const struct sphere_node *node, const struct point *point
     if (count > PILOTS) {
         return angle[axis] > 2e-6 ? axis : -1;
     }
-    for (int k = 0; k < 2 && count >= PILOTS / 2; ++k) {
+    for (int k = 0; k < 2 && count >= 2; ++k) {
         if (angle[k] > 2e-6 && spread(node, k, points, count) < 0.25) {
             return k;
         }

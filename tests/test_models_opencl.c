@@ -126,7 +126,7 @@ static void run_layout(struct brdfcl_device *device, cl_uint places[PLACES])
     cl_mem buffer = NULL;
     cl_int status;
     size_t one = 1;
-    if (opencl_build(device, layout_text, "layout", "", &program, &error) ||
+    if (opencl_build(device, OPENCL_MODEL(0), layout_text, "layout", "", &program, &error) ||
         opencl_buffer(device, PLACES * sizeof(cl_uint), &buffer, &error)) {
         fail_msg("%s", error.message);
     }
