@@ -100,7 +100,7 @@ static void opencl_equals_c(void **state)
         skip();
     }
     cl_program program;
-    if (opencl_build(device, program_text, "trace.cl", "", &program, &error) != BRDF_OK) {
+    if (opencl_build(device, 0, program_text, "trace.cl", "", &program, &error) != BRDF_OK) {
         fail_msg("%s", error.message);
     }
     cl_int status;
