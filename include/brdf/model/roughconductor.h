@@ -11,6 +11,7 @@
 #define BRDF_MODEL_ROUGHCONDUCTOR_H
 
 #include "../fresnel.h"
+#include "../halfvector.h"
 #include "../microfacet.h"
 #include "../parameters.h"
 #include "../sample.h"
@@ -69,7 +70,7 @@ static inline struct brdf_sample brdf_roughconductor_sample(struct brdf_roughcon
                                                             BRDF_GLOBAL const float *table)
 {
     brdf_vec3 h = brdf_microfacet_sample(p.distribution, wo, p.alpha_u, p.alpha_v, u.x, u.y);
-    brdf_vec3 wi = brdf_normalize(brdf_reflect(wo, h));
+    brdf_vec3 wi = brdf_half_mirror(wo, h);
     brdf_real pdf = brdf_roughconductor_pdf(p, wo, wi, table);
     brdf_mask valid = (wo.z > 0.0f) & (wi.z > 0.0f) & (pdf > 0.0f);
     /* f cos / pdf = F G2 / G1: D cancels, so that the weight never exceeds the reflectance. */
