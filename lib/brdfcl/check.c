@@ -12,6 +12,7 @@
 
 #include "check_cases.h"
 #include "check_device.h"
+#include "check_variants.h"
 
 enum { MATERIALS = 64, OPERATIONS = 3 };
 
@@ -152,12 +153,12 @@ static brdf_status run_batch(struct check *check, struct brdf_error *error)
     return status;
 }
 
-/* Every variant with the initial parameters, then with others. */
-static brdf_status run_variants(struct check *check, int variants, int batches,
-                                struct brdf_error *error)
+/* Variants with the initial parameters, then with others. */
+static brdf_status run_variants(struct check *check, struct check_share share, int variants,
+                                int batches, struct brdf_error *error)
 {
     brdf_status status = BRDF_OK;
-    for (int variant = 0; variant < variants && !status; ++variant) {
+    for (int variant = share.part; variant < variants && !status; variant += share.parts) {
         check->material = *brdf_bsdf_material(check->bsdf);
         brdfcl_check_material_vary(&check->material, check->model, variant);
         status = check_device_build(check->device, &check->material, error);
@@ -199,8 +200,18 @@ static brdf_status check_open(struct check *check, struct brdfcl_device *device,
     return status;
 }
 
-brdf_status brdfcl_check_model(struct brdfcl_device *device, int model, size_t count, unsigned seed,
-                               brdfcl_check_report *report, void *data, struct brdf_error *error)
+static void name_results(struct check *check, int lanes)
+{
+    for (int k = 0; k < OPERATIONS; ++k) {
+        check->result[k].model = check->model->name;
+        check->result[k].operation = operations[k].name;
+        check->result[k].lanes = lanes;
+    }
+}
+
+brdf_status check_model_share(struct brdfcl_device *device, int model, size_t count, unsigned seed,
+                              struct check_share share, brdfcl_check_report *report, void *data,
+                              struct brdf_error *error)
 {
     const struct brdf_model_info *info = brdf_model_info(model);
     if (!device || !info || !report) {
@@ -213,23 +224,29 @@ brdf_status brdfcl_check_model(struct brdfcl_device *device, int model, size_t c
         return brdf_fail(error, BRDF_OUT_OF_MEMORY, "out of memory for a check");
     }
     int variants = brdfcl_check_variant_count(info);
-    int batches = (MATERIALS + variants - 1) / variants;
-    size_t calls = count / (size_t)(variants * batches) + 1;
+    share.parts = share.parts < variants ? share.parts : variants;
+    share.part %= share.parts;
+    int mine = (variants - share.part + share.parts - 1) / share.parts;
+    int batches = (MATERIALS + mine - 1) / mine;
+    size_t calls = count / (size_t)(mine * batches) + 1;
     check->model = info;
     check->random.state = seed;
     check->stride = (calls + CHECK_GROUP - 1) / CHECK_GROUP * CHECK_GROUP;
-    for (int k = 0; k < OPERATIONS; ++k) {
-        check->result[k].model = info->name;
-        check->result[k].operation = operations[k].name;
-        check->result[k].lanes = brdfcl_device_lanes(device);
-    }
+    name_results(check, brdfcl_device_lanes(device));
     brdf_status status = check_open(check, device, error);
     if (!status) {
-        status = run_variants(check, variants, batches, error);
+        status = run_variants(check, share, variants, batches, error);
     }
     for (int k = 0; k < OPERATIONS && !status; ++k) {
         report(&check->result[k], data);
     }
     check_close(check);
     return status;
+}
+
+brdf_status brdfcl_check_model(struct brdfcl_device *device, int model, size_t count, unsigned seed,
+                               brdfcl_check_report *report, void *data, struct brdf_error *error)
+{
+    struct check_share all = {0, 1};
+    return check_model_share(device, model, count, seed, all, report, data, error);
 }
