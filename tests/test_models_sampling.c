@@ -73,7 +73,9 @@ static int view_open(struct view *view, const struct model_case *one, int number
     assert_non_null(pilot);
     size_t count = 0;
     for (int i = 0; i < PILOT; ++i) {
-        struct brdf_sample s = brdf_sample(&one->bsdf, view->wo, random_cube(&random));
+        brdf_vec3 u = random_cube(&random);
+        u.z = i % 16 ? u.z : 1e-3f * u.z; /* z chooses among lobes: rare ones need a pilot too */
+        struct brdf_sample s = brdf_sample(&one->bsdf, view->wo, u);
         if (s.pdf > 0.0f && !s.delta) {
             pilot[count++] = s.wi;
         }
