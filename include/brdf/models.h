@@ -25,4 +25,5 @@
 #include "model/orennayar.h"
 #include "model/lommelseeliger.h"
 #include "model/hapke.h"
+#include "model/roughplastic.h"
 #include "model/merl.h"
