@@ -44,24 +44,4 @@ static inline void pt_film(struct pt_world w, struct pt_pass pass, BRDF_GLOBAL f
     }
 }
 
-/* Between two bounces: one queue is done, the other begins; nothing waits for shading. */
-static inline void pt_turn(struct pt_world w, int depth)
-{
-    w.queues[PT_RAYS] += w.queues[PT_ACTIVE + (depth & 1)] + w.queues[PT_SHADOWS];
-    w.queues[PT_ACTIVE + (depth & 1)] = 0;
-    w.queues[PT_SHADOWS] = 0;
-    for (int v = 0; v < w.settings->variant_count; ++v) {
-        w.queues[PT_VARIANTS + v] = 0;
-    }
-}
-
-/* Before a pass: all queues empty but the first. */
-static inline void pt_begin(struct pt_world w, struct pt_pass pass)
-{
-    for (int i = 0; i < PT_COUNTERS; ++i) {
-        w.queues[i] = 0;
-    }
-    w.queues[PT_ACTIVE] = pass.path_count;
-}
-
 #endif

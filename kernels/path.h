@@ -59,8 +59,8 @@ enum pt_shadow_word {
 enum pt_counter {
     PT_ACTIVE = 0,    /* and 1: paths in each of the two active queues */
     PT_SHADOWS = 2,   /* shadow rays waiting */
-    PT_RAYS = 3,      /* rays traced in this pass */
-    PT_INVALID = 4,   /* samples that were not finite */
+    PT_RAYS = 3,      /* rays traced since the render began, modulo 2^32 */
+    PT_INVALID = 4,   /* samples that were not finite, likewise */
     PT_VARIANTS = 16, /* packets waiting for each variant; the last variant is "missed" */
     PT_MAX_VARIANTS = 240,
     PT_COUNTERS = 256
@@ -120,6 +120,24 @@ static inline int pt_claim(BRDF_GLOBAL int *counter, int count)
     *counter = first + count;
     return first;
 #endif
+}
+
+/* Before a pass: its paths are the first queue. */
+static inline void pt_begin(struct pt_world w, struct pt_pass pass)
+{
+    w.queues[PT_ACTIVE] = pass.path_count;
+}
+
+/* Before a bounce: the next queue, the shadow rays and what waits for shading are empty. Done once,
+   by whoever comes to extend first; the queue that is extended now stays as it is. */
+static inline void pt_open_bounce(struct pt_world w, int depth)
+{
+    w.queues[PT_RAYS] += w.queues[PT_ACTIVE + (depth & 1)];
+    w.queues[PT_ACTIVE + ((depth + 1) & 1)] = 0;
+    w.queues[PT_SHADOWS] = 0;
+    for (int v = 0; v < w.settings->variant_count; ++v) {
+        w.queues[PT_VARIANTS + v] = 0;
+    }
 }
 
 /* How many lanes of a mask are true. */

@@ -33,6 +33,9 @@ __kernel void extend_packets(__global const struct pt_settings *settings,
 {
     struct pt_world w = pt_world_make(settings, scene, tables, state);
     int packet = (int)get_global_id(0);
+    if (packet == 0) {
+        pt_open_bounce(w, depth);
+    }
     if (packet * BRDF_LANES < w.queues[PT_ACTIVE + (depth & 1)]) {
         pt_extend_packet(w, packet, depth);
     }
@@ -44,6 +47,9 @@ __kernel void extend_rays(__global const struct pt_settings *settings, __global 
 {
     struct pt_world w = pt_world_make(settings, scene, tables, state);
     int place = (int)get_global_id(0);
+    if (place == 0) {
+        pt_open_bounce(w, depth);
+    }
     if (place < w.queues[PT_ACTIVE + (depth & 1)]) {
         pt_extend_ray(w, place, depth);
     }
@@ -74,6 +80,9 @@ __kernel void connect_packets(__global const struct pt_settings *settings,
 {
     struct pt_world w = pt_world_make(settings, scene, tables, state);
     int packet = (int)get_global_id(0);
+    if (packet == 0) {
+        w.queues[PT_RAYS] += w.queues[PT_SHADOWS];
+    }
     if (packet * BRDF_LANES < w.queues[PT_SHADOWS]) {
         pt_connect_packet(w, packet);
     }
@@ -85,16 +94,12 @@ __kernel void connect_rays(__global const struct pt_settings *settings, __global
 {
     struct pt_world w = pt_world_make(settings, scene, tables, state);
     int place = (int)get_global_id(0);
+    if (place == 0) {
+        w.queues[PT_RAYS] += w.queues[PT_SHADOWS];
+    }
     if (place < w.queues[PT_SHADOWS]) {
         pt_connect_ray(w, place);
     }
-}
-
-__kernel void turn(__global const struct pt_settings *settings, __global const float *scene,
-                   __global const float *tables, __global float *state, struct pt_pass pass,
-                   int depth)
-{
-    pt_turn(pt_world_make(settings, scene, tables, state), depth);
 }
 
 __kernel void film(__global const struct pt_settings *settings, __global const float *scene,

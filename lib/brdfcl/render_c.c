@@ -67,6 +67,7 @@ static void trace(struct pt_world w, const struct world *world, struct pt_pass p
         if (active == 0) {
             break;
         }
+        pt_open_bounce(w, depth);
         for (int i = 0; i < active; ++i) {
             if (hierarchy) {
                 pt_extend_ray(w, i, depth);
@@ -85,7 +86,7 @@ static void trace(struct pt_world w, const struct world *world, struct pt_pass p
                 pt_connect_packet(w, i);
             }
         }
-        pt_turn(w, depth);
+        w.queues[PT_RAYS] += w.queues[PT_SHADOWS];
     }
 }
 
@@ -119,12 +120,15 @@ static void *work(void *argument)
     world_variant_first(world, 1, w.queues + world->settings.variant_first);
     struct pt_pass pass;
     while (take_pass(crew, &pass)) {
+        unsigned rays = (unsigned)w.queues[PT_RAYS];
+        unsigned invalid = (unsigned)w.queues[PT_INVALID];
         trace(w, world, pass);
         for (int i = 0; i < pass.path_count >> pass.sample_bits; ++i) {
             pt_film(w, pass, crew->job->film, i);
         }
         pthread_mutex_lock(&crew->lock);
-        render_count(crew->job, &pass, w.queues[PT_RAYS], w.queues[PT_INVALID]);
+        render_count(crew->job, pass.path_count, (unsigned)w.queues[PT_RAYS] - rays,
+                     (unsigned)w.queues[PT_INVALID] - invalid);
         crew->running -= 1;
         pthread_cond_broadcast(&crew->changed);
         pthread_mutex_unlock(&crew->lock);

@@ -40,8 +40,11 @@ double render_now(void);
    returns 0 where it would have to. */
 int render_next_pass(struct render_job *job, int new_sweep, struct pt_pass *pass);
 
-/* Count a finished pass; its counters were `rays` and `invalid`. */
-void render_count(struct render_job *job, const struct pt_pass *pass, int rays, int invalid);
+/* Is there a pass left? */
+int render_has_pass(const struct render_job *job);
+
+/* Count finished paths, and the rays and invalid samples that they brought. */
+void render_count(struct render_job *job, long long paths, unsigned rays, unsigned invalid);
 
 /* Tell the caller, if it is time; 1 where the caller wants to stop. */
 int render_report(struct render_job *job);

@@ -12,6 +12,11 @@
 #define ASK_FROM 8
 #define ASK_EVERY 4
 
+/* Passes that are put in the queue before the host waits: for about so long, and so many at most.
+ */
+#define BATCH_SECONDS 0.05
+#define BATCH_PASSES 16
+
 static cl_int read_counters(struct wavefront *wave, int *counters, int count)
 {
     size_t at = (size_t)wave->job->world.settings.queues * sizeof(float);
@@ -35,15 +40,11 @@ static cl_int bounce(struct wavefront *wave, const struct pt_pass *pass, int dep
     if (result == CL_SUCCESS && lights) {
         result = wavefront_run(wave, STAGE_CONNECT, pass, depth);
     }
-    if (result == CL_SUCCESS) {
-        result = wavefront_run(wave, STAGE_TURN, pass, depth);
-    }
     return result;
 }
 
-/* All paths of a pass; counters as it leaves them. */
-static brdf_status trace(struct wavefront *wave, const struct pt_pass *pass,
-                         int counters[PT_VARIANTS], struct brdf_error *error)
+/* All paths of a pass, put in the queue; not waited for. */
+static cl_int trace(struct wavefront *wave, const struct pt_pass *pass)
 {
     int max_depth = wave->job->world.settings.max_depth;
     cl_int result = wavefront_run(wave, STAGE_BEGIN, pass, 0);
@@ -53,30 +54,55 @@ static brdf_status trace(struct wavefront *wave, const struct pt_pass *pass,
     for (int depth = 0; depth < max_depth && result == CL_SUCCESS; ++depth) {
         result = bounce(wave, pass, depth);
         if (result == CL_SUCCESS && depth >= ASK_FROM && depth % ASK_EVERY == 0) {
-            result = read_counters(wave, counters, PT_VARIANTS);
-            if (counters[PT_ACTIVE + ((depth + 1) & 1)] == 0) {
+            int active[2] = {0, 0};
+            result = read_counters(wave, active, 2);
+            if (active[(depth + 1) & 1] == 0) {
                 break;
             }
         }
     }
-    if (result == CL_SUCCESS) {
-        result = wavefront_run(wave, STAGE_FILM, pass, 0);
+    return result == CL_SUCCESS ? wavefront_run(wave, STAGE_FILM, pass, 0) : result;
+}
+
+/*
+ * Some passes, waited for once: the device need not stop between them. Never so many that the
+ * counter of rays could wrap around unseen, or that stopping would take long.
+ */
+static brdf_status run_batch(struct wavefront *wave, int passes, struct brdf_error *error)
+{
+    struct render_job *job = wave->job;
+    struct pt_pass pass;
+    int counters[PT_VARIANTS] = {0};
+    cl_int result = CL_SUCCESS;
+    long long paths = 0;
+    for (int i = 0; i < passes && result == CL_SUCCESS && render_next_pass(job, 1, &pass); ++i) {
+        result = trace(wave, &pass);
+        paths += pass.path_count;
     }
     if (result == CL_SUCCESS) {
         result = read_counters(wave, counters, PT_VARIANTS);
     }
+    render_count(job, paths, (unsigned)counters[PT_RAYS] - wave->rays,
+                 (unsigned)counters[PT_INVALID] - wave->invalid);
+    wave->rays = (unsigned)counters[PT_RAYS];
+    wave->invalid = (unsigned)counters[PT_INVALID];
     return opencl_check(result, "running the path tracer's kernels", error);
 }
 
 static brdf_status run_passes(struct wavefront *wave, struct brdf_error *error)
 {
     struct render_job *job = wave->job;
-    struct pt_pass pass;
     brdf_status status = BRDF_OK;
-    while (status == BRDF_OK && !job->result->stopped && render_next_pass(job, 1, &pass)) {
-        int counters[PT_VARIANTS] = {0};
-        status = trace(wave, &pass, counters, error);
-        render_count(job, &pass, counters[PT_RAYS], counters[PT_INVALID]);
+    int passes = 1;
+    while (status == BRDF_OK && !job->result->stopped && render_has_pass(job)) {
+        double began = render_now();
+        status = run_batch(wave, passes, error);
+        double seconds = render_now() - began;
+        if (seconds < 0.5 * BATCH_SECONDS && passes < BATCH_PASSES) {
+            passes *= 2;
+        } else if (seconds > BATCH_SECONDS && passes > 1) {
+            passes /= 2;
+        }
         job->result->stopped = render_report(job) != 0;
     }
     if (status == BRDF_OK) {

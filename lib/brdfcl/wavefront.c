@@ -90,6 +90,13 @@ static brdf_status make_buffers(struct wavefront *wave, struct brdf_error *error
                               "clEnqueueWriteBuffer", error);
     }
     if (status == BRDF_OK) {
+        const int counters[PT_COUNTERS] = {0};
+        size_t at = (size_t)world->settings.queues * sizeof(float);
+        status = opencl_check(clEnqueueWriteBuffer(device->queue, wave->state, CL_TRUE, at,
+                                                   sizeof counters, counters, 0, NULL, NULL),
+                              "clEnqueueWriteBuffer", error);
+    }
+    if (status == BRDF_OK) {
         int first[PT_MAX_VARIANTS];
         world_variant_first(world, device->lanes, first);
         size_t at = ((size_t)world->settings.queues + (size_t)world->settings.variant_first) *
@@ -142,7 +149,6 @@ static brdf_status make_stages(struct wavefront *wave, struct brdf_error *error)
         {STAGE_EXTEND, hierarchy ? "extend_rays" : "extend_packets", rays, group},
         {STAGE_SORT, "sort", (size_t)world->sort_blocks, 1},
         {STAGE_CONNECT, hierarchy ? "connect_rays" : "connect_packets", rays, group},
-        {STAGE_TURN, "turn", 1, 1},
         {STAGE_FILM, "film", pool, GROUP_PIXELS},
     };
     brdf_status status = BRDF_OK;

@@ -13,7 +13,6 @@ enum stage {
     STAGE_EXTEND,
     STAGE_SORT,
     STAGE_CONNECT,
-    STAGE_TURN,
     STAGE_FILM,
     STAGE_SHADE, /* and one for each further variant */
     STAGE_COUNT = STAGE_SHADE + PT_MAX_VARIANTS
@@ -35,6 +34,8 @@ struct wavefront {
     cl_mem state;
     cl_mem film;
     struct launch stages[STAGE_COUNT];
+    unsigned rays; /* the counters when they were last read */
+    unsigned invalid;
 };
 
 /*
