@@ -30,6 +30,7 @@ static const double angles[DIRECTIONS] = {0.0, 30.0, 60.0, 80.0, 88.0, 100.0, 13
 /* One material seen from one direction. */
 struct view {
     const struct model_case *one;
+    int number;   /* of the direction */
     double angle; /* degrees */
     brdf_vec3 wo;
     struct sphere *sphere; /* its cells hold the integral of pdf */
@@ -58,17 +59,19 @@ static brdf_vec3 direction_of(int number)
         brdf_vec3_make((float)(radius * cos(phi)), (float)(radius * sin(phi)), (float)cos(theta)));
 }
 
-/* Cells from a pilot of samples; 0 if there is nothing but deltas, or nothing at all. */
-static int view_open(struct view *view, const struct model_case *one, int number)
+/* Cells from pilot `pilots` of samples; 0 if there is nothing but deltas, or nothing at all. */
+static int view_open(struct view *view, const struct model_case *one, int number,
+                     unsigned long long pilots)
 {
     view->one = one;
+    view->number = number;
     view->angle = angles[number];
     view->wo = direction_of(number);
     view->sphere = NULL;
     if (view->wo.z < 0.0f && !models_seen_from_below(one)) {
         return 0;
     }
-    struct brdfcl_random random = {0x70110 + (unsigned long long)number};
+    struct brdfcl_random random = {(pilots << 20) + (unsigned long long)number};
     brdf_vec3 *pilot = calloc(PILOT, sizeof *pilot);
     assert_non_null(pilot);
     size_t count = 0;
@@ -88,8 +91,8 @@ static int view_open(struct view *view, const struct model_case *one, int number
     return count > 0;
 }
 
-/* The integral of pdf is the chance of a sample that pdf knows of. */
-static void check_mass(struct model_cases *cases, const struct view *view)
+/* The chance of a sample that pdf knows of: what the integral of pdf should be. */
+static double chance_of_sample(const struct view *view)
 {
     size_t samples = models_long() ? 1000000 : 32768;
     size_t found = 0;
@@ -98,12 +101,7 @@ static void check_mass(struct model_cases *cases, const struct view *view)
         struct brdf_sample s = brdf_sample(&view->one->bsdf, view->wo, u);
         found += s.pdf > 0.0f && !s.delta;
     }
-    double chance = (double)found / (double)samples;
-    if (!(fabs(view->mass.value - chance) <= 2e-3)) {
-        models_fail(cases, view->one,
-                    "%g degrees: pdf integrates to %.5f, but the chance of a sample is %.5f",
-                    view->angle, view->mass.value, chance);
-    }
+    return (double)found / (double)samples;
 }
 
 /*
@@ -126,7 +124,7 @@ static double count_samples(const struct view *view, struct statistics_bin *bins
     return found;
 }
 
-static void check_distribution(struct model_cases *cases, const struct view *view)
+static struct statistics_chi2 chi2_of_samples(const struct view *view)
 {
     size_t count = view->sphere->count;
     struct statistics_bin *bins = calloc(count, sizeof *bins);
@@ -137,15 +135,51 @@ static void check_distribution(struct model_cases *cases, const struct view *vie
         bins[i].expected = node->child < 0 ? found * node->integral / view->mass.value : 0.0;
     }
     struct statistics_chi2 result = statistics_chi2_test(bins, count);
-    double limit = statistics_sidak(0.01, models_case_count() * DIRECTIONS);
-    if (result.impossible) {
-        models_fail(cases, view->one, "%g degrees: samples where pdf is 0", view->angle);
-    } else if (!(result.p >= limit)) {
-        models_fail(cases, view->one,
-                    "%g degrees: chi2 = %.1f with %zu degrees of freedom, p = %.3g < %.3g",
-                    view->angle, result.chi2, result.freedom, result.p, limit);
-    }
     free(bins);
+    return result;
+}
+
+/*
+ * Does pdf integrate to the same over other cells? Over a ridge a thousand times thinner than long
+ * the quadrature can err without knowing; a wrong sampler or a wrong pdf does not depend on cells.
+ */
+static int is_resolved(const struct view *view)
+{
+    struct view other;
+    if (!view_open(&other, view->one, view->number, 2)) {
+        return 1;
+    }
+    int agrees = fabs(other.mass.value - view->mass.value) <= 5.0 * UNRESOLVED;
+    sphere_destroy(other.sphere);
+    return agrees;
+}
+
+/* Mass and distribution of one view; 0 if the quadrature is not good enough to tell. */
+static int check_view(struct model_cases *cases, const struct view *view)
+{
+    if (view->mass.error > UNRESOLVED) {
+        return 0;
+    }
+    double limit = statistics_sidak(0.01, models_case_count() * DIRECTIONS);
+    double chance = chance_of_sample(view);
+    struct statistics_chi2 result = chi2_of_samples(view);
+    int mass_is_wrong = !(fabs(view->mass.value - chance) <= 2e-3);
+    int cells_are_wrong = result.impossible || !(result.p >= limit);
+    if ((mass_is_wrong || cells_are_wrong) && !is_resolved(view)) {
+        return 0;
+    }
+    if (mass_is_wrong) {
+        models_fail(cases, view->one,
+                    "%g degrees: pdf integrates to %.5f, but the chance of a sample is %.5f",
+                    view->angle, view->mass.value, chance);
+    }
+    if (cells_are_wrong) {
+        models_fail(cases, view->one,
+                    "%g degrees: chi2 = %.1f with %zu degrees of freedom, p = %.3g < %.3g%s",
+                    view->angle, result.chi2, result.freedom, result.p, limit,
+                    result.impossible ? "; samples where pdf is 0" : "");
+    }
+    return 1;
 }
 
 /* The initial parameters from every direction, others from every second one in turns. */
@@ -158,16 +192,11 @@ static void samples_have_the_density(void **state)
         for (int number = 0; number < DIRECTIONS; ++number) {
             struct view view;
             int taken = i == 0 || models_long() || (i + (size_t)number) % 2 == 0;
-            if (!taken || !view_open(&view, &cases->items[i], number)) {
+            if (!taken || !view_open(&view, &cases->items[i], number, 1)) {
                 continue;
             }
             ++views;
-            if (view.mass.error > UNRESOLVED) {
-                ++unresolved;
-            } else {
-                check_mass(cases, &view);
-                check_distribution(cases, &view);
-            }
+            unresolved += !check_view(cases, &view);
             sphere_destroy(view.sphere);
         }
     }
