@@ -44,6 +44,14 @@ int brdfcl_device_count(void)
     return count;
 }
 
+static void copy_cut(char *text, size_t size, const char *whole)
+{
+    size_t length = strlen(whole);
+    length = length < size ? length : size - 1;
+    memcpy(text, whole, length);
+    text[length] = '\0';
+}
+
 /* A string of the device, cut to the array; empty where the device has none. */
 static void device_text(cl_device_id id, cl_device_info what, char *text, size_t size)
 {
@@ -51,8 +59,7 @@ static void device_text(cl_device_id id, cl_device_info what, char *text, size_t
     if (clGetDeviceInfo(id, what, sizeof whole, whole, NULL) != CL_SUCCESS) {
         whole[0] = '\0';
     }
-    strncpy(text, whole, size - 1);
-    text[size - 1] = '\0';
+    copy_cut(text, size, whole);
 }
 
 static void platform_text(cl_platform_id id, cl_platform_info what, char *text, size_t size)
@@ -61,8 +68,7 @@ static void platform_text(cl_platform_id id, cl_platform_info what, char *text, 
     if (clGetPlatformInfo(id, what, sizeof whole, whole, NULL) != CL_SUCCESS) {
         whole[0] = '\0';
     }
-    strncpy(text, whole, size - 1);
-    text[size - 1] = '\0';
+    copy_cut(text, size, whole);
 }
 
 void opencl_describe(cl_platform_id platform, cl_device_id id, struct brdfcl_device_info *info)
