@@ -28,20 +28,16 @@ struct pt_interaction {
 static inline struct pt_primitive pt_load_primitive(struct pt_world w, brdf_int number)
 {
     BRDF_GLOBAL const float *words = w.scene + w.settings->primitives;
-    brdf_int row = number * PT_ROW;
-    struct pt_quad q0 = pt_load_quad(words, row);
-    struct pt_quad q1 = pt_load_quad(words + 4, row);
-    struct pt_quad q2 = pt_load_quad(words + 8, row);
-    struct pt_quad q3 = pt_load_quad(words + 12, row);
+    struct pt_row row = pt_load_row(words, number * PT_ROW);
     struct pt_primitive primitive;
-    primitive.p = pt_quad_vec3(q0);
-    primitive.e1 = brdf_vec3_make(q0.d, q1.a, q1.b);
-    primitive.e2 = brdf_vec3_make(q1.c, q1.d, q2.a);
-    primitive.kind = brdf_bits(q2.b);
-    primitive.shading = brdf_bits(q2.d);
-    primitive.flip = q3.a;
-    primitive.radius = q3.b;
-    primitive.light_pdf = q3.c;
+    primitive.p = pt_quad_vec3(row.q0);
+    primitive.e1 = brdf_vec3_make(row.q0.d, row.q1.a, row.q1.b);
+    primitive.e2 = brdf_vec3_make(row.q1.c, row.q1.d, row.q2.a);
+    primitive.kind = brdf_bits(row.q2.b);
+    primitive.shading = brdf_bits(row.q2.d);
+    primitive.flip = row.q3.a;
+    primitive.radius = row.q3.b;
+    primitive.light_pdf = row.q3.c;
     return primitive;
 }
 
@@ -51,20 +47,16 @@ static inline brdf_frame pt_triangle_frame(struct pt_world w, struct pt_primitiv
 {
     brdf_mask has = primitive.shading >= 0;
     BRDF_GLOBAL const float *words = w.scene + w.settings->shading;
-    brdf_int row = brdf_pick_int(has, primitive.shading, 0) * PT_ROW;
-    struct pt_quad q0 = pt_load_quad(words, row);
-    struct pt_quad q1 = pt_load_quad(words + 4, row);
-    struct pt_quad q2 = pt_load_quad(words + 8, row);
-    struct pt_quad q3 = pt_load_quad(words + 12, row);
+    struct pt_row row = pt_load_row(words, brdf_pick_int(has, primitive.shading, 0) * PT_ROW);
     brdf_real rest = 1.0f - u - v;
-    brdf_vec3 n =
-        brdf_vec3_make(q0.a * rest + q0.d * u + q1.c * v, q0.b * rest + q1.a * u + q1.d * v,
-                       q0.c * rest + q1.b * u + q2.a * v);
+    brdf_vec3 n = brdf_vec3_make(row.q0.a * rest + row.q0.d * u + row.q1.c * v,
+                                 row.q0.b * rest + row.q1.a * u + row.q1.d * v,
+                                 row.q0.c * rest + row.q1.b * u + row.q2.a * v);
     /* Along growing u of the texture: solve e1, e2 for it over the differences of (u, v). */
-    brdf_real du1 = q2.d - q2.b;
-    brdf_real dv1 = q3.a - q2.c;
-    brdf_real du2 = q3.b - q2.b;
-    brdf_real dv2 = q3.c - q2.c;
+    brdf_real du1 = row.q2.d - row.q2.b;
+    brdf_real dv1 = row.q3.a - row.q2.c;
+    brdf_real du2 = row.q3.b - row.q2.b;
+    brdf_real dv2 = row.q3.c - row.q2.c;
     brdf_real determinant = du1 * dv2 - dv1 * du2;
     brdf_vec3 tangent = brdf_sub(brdf_scale(primitive.e1, dv2), brdf_scale(primitive.e2, dv1));
     tangent = brdf_scale(tangent, brdf_pick(determinant < 0.0f, -1.0f, 1.0f));

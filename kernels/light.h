@@ -71,20 +71,16 @@ struct pt_light {
 static inline struct pt_light pt_load_light(struct pt_world w, brdf_int number)
 {
     BRDF_GLOBAL const float *words = w.scene + w.settings->lights;
-    brdf_int row = number * PT_ROW;
-    struct pt_quad q0 = pt_load_quad(words, row);
-    struct pt_quad q1 = pt_load_quad(words + 4, row);
-    struct pt_quad q2 = pt_load_quad(words + 8, row);
-    struct pt_quad q3 = pt_load_quad(words + 12, row);
+    struct pt_row row = pt_load_row(words, number * PT_ROW);
     struct pt_light light;
-    light.p = pt_quad_vec3(q0);
-    light.e1 = brdf_vec3_make(q0.d, q1.a, q1.b);
-    light.e2 = brdf_vec3_make(q1.c, q1.d, q2.a);
-    light.kind = brdf_bits(q2.b);
-    light.radiance = brdf_rgb_make(q2.c, q2.d, q3.a);
-    light.select = q3.b;
-    light.radius = q3.c;
-    light.flip = q3.d;
+    light.p = pt_quad_vec3(row.q0);
+    light.e1 = brdf_vec3_make(row.q0.d, row.q1.a, row.q1.b);
+    light.e2 = brdf_vec3_make(row.q1.c, row.q1.d, row.q2.a);
+    light.kind = brdf_bits(row.q2.b);
+    light.radiance = brdf_rgb_make(row.q2.c, row.q2.d, row.q3.a);
+    light.select = row.q3.b;
+    light.radius = row.q3.c;
+    light.flip = row.q3.d;
     return light;
 }
 

@@ -110,6 +110,12 @@ static inline struct pt_world pt_world_make(BRDF_GLOBAL const struct pt_settings
 #define PT_HAS(settings, feature) ((settings)->features & (feature))
 #endif
 
+static inline BRDF_GLOBAL const struct pt_surface *pt_surface_at(struct pt_world w, int number)
+{
+    BRDF_GLOBAL const void *surfaces = w.scene + w.settings->surfaces;
+    return (BRDF_GLOBAL const struct pt_surface *)surfaces + number;
+}
+
 /* Take `count` places of a counter; the first of them. Each renderer in C has its own counters. */
 static inline int pt_claim(BRDF_GLOBAL int *counter, int count)
 {

@@ -206,6 +206,24 @@ static inline union pt_lanes pt_lanes_of(brdf_int values)
 
 #endif
 
+/* The 16 words of a record in every lane. */
+struct pt_row {
+    struct pt_quad q0;
+    struct pt_quad q1;
+    struct pt_quad q2;
+    struct pt_quad q3;
+};
+
+static inline struct pt_row pt_load_row(BRDF_GLOBAL const float *words, brdf_int index)
+{
+    struct pt_row row;
+    row.q0 = pt_load_quad(words, index);
+    row.q1 = pt_load_quad(words + 4, index);
+    row.q2 = pt_load_quad(words + 8, index);
+    row.q3 = pt_load_quad(words + 12, index);
+    return row;
+}
+
 /* The first three words of a quad as a vector or a colour, and back with a fourth. */
 static inline brdf_vec3 pt_quad_vec3(struct pt_quad q)
 {

@@ -69,7 +69,6 @@ struct pt_surface {
 };
 
 /* Features: what a scene has, as bits; kernels are compiled for exactly these. */
-#define PT_HAS_PLANAR 1  /* triangles, rectangles or disks */
 #define PT_HAS_SPHERES 2 /* spheres */
 #define PT_HAS_SHADING 4 /* triangles with normals or texture coordinates */
 #define PT_HAS_LIGHTS 8  /* primitives that emit */

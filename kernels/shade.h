@@ -24,12 +24,6 @@ struct pt_variant {
 /* The random number sets of a bounce; set 0 is the camera's. */
 #define PT_SETS_PER_BOUNCE 2
 
-static inline BRDF_GLOBAL const struct pt_surface *pt_surface_at(struct pt_world w, int number)
-{
-    BRDF_GLOBAL const void *surfaces = w.scene + w.settings->surfaces;
-    return (BRDF_GLOBAL const struct pt_surface *)surfaces + number;
-}
-
 /* Append the paths of the lanes in the mask to the queue of the next bounce. */
 static inline void pt_continue(struct pt_world w, brdf_int path, brdf_mask alive, int depth)
 {

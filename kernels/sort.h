@@ -13,19 +13,13 @@
 
 #define PT_SORT_BLOCK 4096
 
-static inline BRDF_GLOBAL const struct pt_surface *pt_sort_surface(struct pt_world w, int number)
-{
-    BRDF_GLOBAL const void *surfaces = w.scene + w.settings->surfaces;
-    return (BRDF_GLOBAL const struct pt_surface *)surfaces + number;
-}
-
 /* Packets for `count` paths that met surface `key`: claimed, labelled, their idle lanes filled. The
    place of the first path. */
 static inline int pt_open_packets(struct pt_world w, int key, int count)
 {
     BRDF_GLOBAL const struct pt_settings *settings = w.settings;
     int missed = key == settings->surface_count;
-    int variant = missed ? settings->variant_count - 1 : pt_sort_surface(w, key)->variant;
+    int variant = missed ? settings->variant_count - 1 : pt_surface_at(w, key)->variant;
     int packets = (count + BRDF_LANES - 1) / BRDF_LANES;
     int first = w.queues[settings->variant_first + variant] +
                 pt_claim(w.queues + PT_VARIANTS + variant, packets);
@@ -46,7 +40,7 @@ static inline int pt_worth_shading(struct pt_world w, int key, int depth)
     if (key == settings->surface_count) {
         return PT_HAS(settings, PT_HAS_CONSTANT | PT_HAS_MAP) != 0;
     }
-    return depth + 1 < settings->max_depth || pt_sort_surface(w, key)->emits;
+    return depth + 1 < settings->max_depth || pt_surface_at(w, key)->emits;
 }
 
 static inline void pt_sort(struct pt_world w, int block, int depth)

@@ -65,6 +65,11 @@ brdf_status world_append(struct world_words *words, const float *add, size_t cou
     return BRDF_OK;
 }
 
+double world_luminance(const float *rgb)
+{
+    return 0.2126 * (double)rgb[0] + 0.7152 * (double)rgb[1] + 0.0722 * (double)rgb[2];
+}
+
 void world_cdf(const double *weights, size_t count, float *cdf)
 {
     double total = 0.0;
@@ -139,7 +144,7 @@ static brdf_status append_geometry(const struct brdfcl_scene *scene, struct worl
     settings->primitive_count = (int)count;
     for (size_t i = 0; i < count; ++i) {
         int kind = pt_int_bits(scene->primitives.words[i * PT_ROW + PT_KIND]);
-        settings->features |= kind == PT_SPHERE ? PT_HAS_SPHERES : PT_HAS_PLANAR;
+        settings->features |= kind == PT_SPHERE ? PT_HAS_SPHERES : 0;
     }
     settings->features |= scene->shading.count > 0 ? PT_HAS_SHADING : 0;
     /* One row at least: idle lanes read the first. */

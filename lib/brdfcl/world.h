@@ -64,6 +64,9 @@ brdf_status world_lights(const struct brdfcl_scene *scene, struct world *world,
 brdf_status world_environment(const struct brdfcl_scene *scene, struct world *world,
                               struct world_words *words, struct brdf_error *error);
 
+/* Relative luminance of linear Rec. 709, by which lights and pixels are chosen. */
+double world_luminance(const float *rgb);
+
 /* A CDF of count + 1 words from weights, from 0 to 1; uniform where all weights are 0. */
 void world_cdf(const double *weights, size_t count, float *cdf);
 

@@ -13,7 +13,7 @@ static double pixel_luminance(const struct brdfcl_image *image, int x, int y)
 {
     const float *rgb =
         image->rgb + 3 * ((size_t)y * (size_t)image->width + (size_t)(x % image->width));
-    return 0.2126 * (double)rgb[0] + 0.7152 * (double)rgb[1] + 0.0722 * (double)rgb[2];
+    return world_luminance(rgb);
 }
 
 /*

@@ -12,11 +12,6 @@
 /* Where both are, the environment and the primitives are chosen equally often. */
 #define ENVIRONMENT_SHARE 0.5
 
-static double luminance(const float *rgb)
-{
-    return 0.2126 * (double)rgb[0] + 0.7152 * (double)rgb[1] + 0.0722 * (double)rgb[2];
-}
-
 static double area_of(const float *primitive)
 {
     const double pi = 3.14159265358979323846;
@@ -66,7 +61,8 @@ static size_t weigh(const struct brdfcl_scene *scene, int environment, double *w
     double total = 0.0;
     for (size_t i = 0; i < scene->primitives.count; ++i) {
         const struct scene_surface *surface = surface_of(scene, i);
-        double power = area_of(scene->primitives.words + i * PT_ROW) * luminance(surface->radiance);
+        double power =
+            area_of(scene->primitives.words + i * PT_ROW) * world_luminance(surface->radiance);
         if (surface->emits && power > 0.0) {
             weights[count] = power;
             primitives[count] = i;
