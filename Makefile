@@ -47,6 +47,7 @@ objects = $(patsubst %.c,$(BUILD)/obj/%.o,$(1))
 
 brdf_objects := $(call objects,$(sort $(wildcard lib/brdf/*.c))) $(BUILD)/obj/embedded_brdf.o
 brdfcl_objects := $(call objects,$(sort $(wildcard lib/brdfcl/*.c))) $(BUILD)/obj/embedded_kernels.o
+brdflab_objects := $(call objects,$(sort $(wildcard lib/brdflab/*.c)))
 command_objects := $(call objects,$(sort $(wildcard cli/*.c bench/*.c)))
 support_objects := $(call objects,$(support_sources))
 test_programs := $(patsubst tests/%.c,$(BUILD)/tests/%,$(test_sources))
@@ -55,11 +56,12 @@ example_programs := $(patsubst examples/%.c,$(BUILD)/examples/%,$(sort $(wildcar
 
 static_brdf := $(BUILD)/libbrdf.a
 static_brdfcl := $(BUILD)/libbrdfcl.a
+static_brdflab := $(BUILD)/libbrdflab.a
 shared_brdf := $(BUILD)/libbrdf.so.$(VERSION)
 shared_brdfcl := $(BUILD)/libbrdfcl.so.$(VERSION)
 command := $(BUILD)/brdfcl
 
-# --- What libbrdfcl is made with ---------------------------------------------------------------
+# --- What libbrdfcl and the laboratory are made with -------------------------------------------
 
 # Asked once, and only when something that needs the answer is built: `make help` and the set-up
 # must work on a machine that has no pkg-config yet.
@@ -80,6 +82,10 @@ package_libs = $(call once,package_libs,$(call answer,$(call \
     $(filter -L% -lOpenEXR -lOpenEXR-% -lOpenEXRCore%,$(call ask,--libs OpenEXR)) \
     -lembree$(embree_version) -lm)
 embree_cppflags = $(if $(filter 4,$(embree_version)),-DBRDFCL_EMBREE4)
+lab_packages = nlopt lapacke lapack cairo
+lab_cflags = $(call once,lab_cflags,$(patsubst -I%,-isystem %,$(call \
+    answer,$(call ask,--cflags $(lab_packages)))))
+lab_libs = $(call once,lab_libs,$(call answer,$(call ask,--libs $(lab_packages))))
 cmocka_cflags = $(call once,cmocka_cflags,$(patsubst -I%,-isystem %,$(call \
     answer,$(call ask,--cflags cmocka))))
 cmocka_libs = $(call once,cmocka_libs,$(call answer,$(call ask,--libs cmocka)))
@@ -154,13 +160,14 @@ run-tests: all $(test_programs) $(example_programs)
 
 # --- Building ----------------------------------------------------------------------------------
 
-# Who may see whose headers: arrows point down, cli -> libbrdfcl -> libbrdf.
+# Who may see whose headers: arrows point down, cli -> laboratory -> libbrdfcl -> libbrdf.
 $(BUILD)/obj/lib/brdf/%.o: includes = -Ilib/brdf
 $(BUILD)/obj/lib/brdfcl/%.o: includes = -I. -Ilib/brdfcl -Ikernels $(package_cflags) $(embree_cppflags)
-$(BUILD)/obj/cli/%.o: includes = -Icli -Ibench
-$(BUILD)/obj/bench/%.o: includes = -Ibench -Icli
-$(BUILD)/obj/tests/%.o: includes = -I. -Itests -Ilib/brdf -Ilib/brdfcl -Ikernels $(cmocka_cflags) \
-    $(package_cflags) $(embree_cppflags)
+$(BUILD)/obj/lib/brdflab/%.o: includes = -Ilib/brdflab $(lab_cflags)
+$(BUILD)/obj/cli/%.o: includes = -Icli -Ibench -Ilib
+$(BUILD)/obj/bench/%.o: includes = -Ibench -Icli -Ilib
+$(BUILD)/obj/tests/%.o: includes = -I. -Itests -Ilib -Ilib/brdf -Ilib/brdfcl -Ilib/brdflab -Ikernels \
+    $(cmocka_cflags) $(package_cflags) $(embree_cppflags)
 
 compile = @mkdir -p $(@D) && echo "  cc      $<" && $(CC) -Iinclude $(includes) $(CPPFLAGS) \
     -DBRDFCL_VERSION='"$(VERSION)"' $(ALL_CFLAGS) -MMD -MP -c $< -o $@
@@ -201,6 +208,10 @@ $(static_brdf): $(brdf_objects)
 $(static_brdfcl): $(brdfcl_objects)
 	$(archive)
 
+# What the command and the tests share beyond the libraries; it is not installed.
+$(static_brdflab): $(brdflab_objects)
+	$(archive)
+
 # $(1) is the name of the library: its soname, and the links that a linker and a loader look for.
 shared = $(link) -shared -Wl,-soname,$(1).so.$(SOVERSION) $(if $(SANITIZE),,-Wl,-z,defs) \
     $(filter %.o,$^) -o $@ $(2) && \
@@ -213,22 +224,22 @@ $(shared_brdfcl): $(brdfcl_objects) $(shared_brdf)
 	$(call shared,libbrdfcl,-L$(BUILD) -lbrdf $(package_libs))
 
 # Programs take the libraries whole, so that they run from anywhere.
-$(command): $(command_objects) $(static_brdfcl) $(static_brdf)
-	$(link) $^ -o $@ $(package_libs)
+$(command): $(command_objects) $(static_brdflab) $(static_brdfcl) $(static_brdf)
+	$(link) $^ -o $@ $(lab_libs) $(package_libs)
 
 $(BUILD)/tests/libsupport.a: $(support_objects)
 	@mkdir -p $(@D)
 	$(archive)
 
 $(test_programs): $(BUILD)/tests/%: $(BUILD)/obj/tests/%.o $(BUILD)/tests/libsupport.a \
-    $(static_brdfcl) $(static_brdf)
-	$(link) $^ -o $@ $(cmocka_libs) $(package_libs)
+    $(static_brdflab) $(static_brdfcl) $(static_brdf)
+	$(link) -Wl,--as-needed $^ -o $@ $(cmocka_libs) $(lab_libs) $(package_libs)
 
 $(example_programs): $(BUILD)/examples/%: $(BUILD)/obj/examples/%.o $(static_brdfcl) $(static_brdf)
 	$(link) -Wl,--as-needed $^ -o $@ $(package_libs)
 
--include $(patsubst %.o,%.d,$(brdf_objects) $(brdfcl_objects) $(command_objects) \
-    $(support_objects) $(call objects,$(test_sources)) \
+-include $(patsubst %.o,%.d,$(brdf_objects) $(brdfcl_objects) \
+    $(brdflab_objects) $(command_objects) $(support_objects) $(call objects,$(test_sources)) \
     $(patsubst $(BUILD)/examples/%,$(BUILD)/obj/examples/%.o,$(example_programs)))
 .SECONDARY: # keep the objects of tests and examples
 

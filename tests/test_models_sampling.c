@@ -17,7 +17,7 @@
 
 #include "support_models.h"
 #include "support_sphere.h"
-#include "support_statistics.h"
+#include "statistics.h"
 
 enum { PILOT = 16384, DIRECTIONS = 8 };
 

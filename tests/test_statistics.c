@@ -11,7 +11,7 @@
 
 #include "check_random.h"
 #include "support_sphere.h"
-#include "support_statistics.h"
+#include "statistics.h"
 
 static const double pi = 3.14159265358979323846;
 

@@ -9,14 +9,15 @@
 set -eu
 
 packages="gcc libc6-dev pkg-config ocl-icd-opencl-dev opencl-headers pocl-opencl-icd \
-libopenexr-dev libpng-dev libembree-dev libassimp-dev libexpat1-dev libcmocka-dev"
+libopenexr-dev libpng-dev libembree-dev libassimp-dev libexpat1-dev libcmocka-dev \
+libnlopt-dev liblapacke-dev libcairo2-dev"
 [ "${1:-}" != ci ] || packages="$packages clang clang-format"
 
 # Elsewhere: is it there, whoever brought it? One word for each thing that is not.
 missing_things() {
     command -v cc || command -v gcc || echo gcc >&3
     if command -v pkg-config; then
-        for package in OpenCL OpenEXR libpng assimp expat cmocka; do
+        for package in OpenCL OpenEXR libpng assimp expat cmocka nlopt lapacke cairo; do
             pkg-config --exists "$package" || echo "$package" >&3
         done
     else

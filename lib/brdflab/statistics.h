@@ -1,8 +1,8 @@
 /*
- * support_statistics.h - do counts agree with what a distribution predicts?
+ * statistics.h - do counts agree with what a distribution predicts?
  */
-#ifndef SUPPORT_STATISTICS_H
-#define SUPPORT_STATISTICS_H
+#ifndef BRDFLAB_STATISTICS_H
+#define BRDFLAB_STATISTICS_H
 
 #include <stddef.h>
 

@@ -1,7 +1,7 @@
 /*
- * support_statistics.c - Pearson's chi-square test.
+ * statistics.c - Pearson's chi-square test.
  */
-#include "support_statistics.h"
+#include "statistics.h"
 
 #include <math.h>
 #include <stdlib.h>
