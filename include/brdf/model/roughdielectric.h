@@ -11,6 +11,7 @@
 #ifndef BRDF_MODEL_ROUGHDIELECTRIC_H
 #define BRDF_MODEL_ROUGHDIELECTRIC_H
 
+#include "../facet.h"
 #include "../interface.h"
 #include "../microfacet.h"
 #include "../parameters.h"
@@ -33,59 +34,10 @@ struct brdf_roughdielectric {
     BRDF_ROUGHDIELECTRIC_PARAMETERS(BRDF_FIELD)
 };
 
-/* The facet that sends light from wi to wo; the same bits with the two exchanged. */
-struct brdf_roughdielectric_facet {
-    brdf_mask mirrors; /* wo and wi on one side */
-    brdf_mask exists;
-    brdf_vec3 h;           /* on the upper side */
-    brdf_real reflectance; /* Fresnel's */
-    brdf_real cos_o;       /* of wo, wi to the facet on their own side */
-    brdf_real cos_i;
-    brdf_real length2; /* of the sum of the directions, each times its index over ext_ior */
-};
-
-/* eta: below over above. */
-static inline struct brdf_roughdielectric_facet
-brdf_roughdielectric_facet_between(brdf_vec3 wo, brdf_vec3 wi, brdf_real eta)
-{
-    struct brdf_roughdielectric_facet facet;
-    brdf_mask outside = wo.z > 0.0f;
-    facet.mirrors = (outside & (wi.z > 0.0f)) | ((wo.z < 0.0f) & (wi.z < 0.0f));
-    brdf_mask passes = (outside & (wi.z < 0.0f)) | ((wo.z < 0.0f) & (wi.z > 0.0f));
-    brdf_vec3 above = brdf_vec3_pick(outside, wo, wi);
-    brdf_vec3 below = brdf_vec3_pick(outside, wi, wo);
-    brdf_vec3 sum =
-        brdf_vec3_pick(facet.mirrors, brdf_add(wo, wi), brdf_add(above, brdf_scale(below, eta)));
-    brdf_vec3 h = brdf_normalize(sum);
-    facet.h = brdf_vec3_pick(h.z < 0.0f, brdf_negate(h), h);
-    facet.length2 = brdf_max(brdf_dot(sum, sum), 1e-12f);
-
-    brdf_real dot_o = brdf_dot(wo, facet.h);
-    brdf_real dot_i = brdf_dot(wi, facet.h);
-    facet.cos_o = brdf_clamp(brdf_pick(outside, dot_o, -dot_o), 0.0f, 1.0f);
-    facet.cos_i = brdf_clamp(brdf_pick(wi.z > 0.0f, dot_i, -dot_i), 0.0f, 1.0f);
-    facet.exists = facet.mirrors | (passes & (facet.cos_o > 0.0f) & (facet.cos_i > 0.0f));
-
-    brdf_real cos_above = brdf_pick(outside, facet.cos_o, facet.cos_i);
-    brdf_real cos_below = brdf_pick(outside, facet.cos_i, facet.cos_o);
-    brdf_real mirrored = brdf_fresnel_dielectric(0.5f * (facet.cos_o + facet.cos_i),
-                                                 brdf_pick(outside, eta, 1.0f / eta))
-                             .reflectance;
-    brdf_real between = brdf_fresnel_between(cos_above, cos_below, eta);
-    facet.reflectance = brdf_pick(facet.mirrors, mirrored, between);
-    return facet;
-}
-
-/* Is there no interface, for want of a difference? eta as above. */
+/* Is there no interface, for want of a difference? eta: the index below over that above. */
 static inline brdf_mask brdf_roughdielectric_vanishes(brdf_real eta)
 {
     return fabsf(eta - 1.0f) < 1e-3f;
-}
-
-/* w in the place of which the distribution and its masking speak: on the upper side. */
-static inline brdf_vec3 brdf_roughdielectric_upper(brdf_vec3 w)
-{
-    return brdf_vec3_make(w.x, w.y, fabsf(w.z));
 }
 
 /* Masking and shadowing over both cosines, and the facets' area seen from wo. */
@@ -98,8 +50,8 @@ static inline struct brdf_roughdielectric_view
 brdf_roughdielectric_view_of(struct brdf_roughdielectric p, brdf_vec3 wo, brdf_vec3 wi)
 {
     struct brdf_roughdielectric_view view;
-    brdf_vec3 o = brdf_roughdielectric_upper(wo);
-    brdf_vec3 i = brdf_roughdielectric_upper(wi);
+    brdf_vec3 o = brdf_facet_upper(wo);
+    brdf_vec3 i = brdf_facet_upper(wi);
     view.area_o = brdf_microfacet_area(p.distribution, o, p.alpha_u, p.alpha_v);
     brdf_real area_i = brdf_microfacet_area(p.distribution, i, p.alpha_u, p.alpha_v);
     view.visibility = brdf_microfacet_visibility(p.masking, o.z, i.z, view.area_o, area_i);
@@ -111,7 +63,7 @@ static inline brdf_rgb brdf_roughdielectric_eval(struct brdf_roughdielectric p, 
 {
     (void)table;
     brdf_real eta = p.int_ior / p.ext_ior;
-    struct brdf_roughdielectric_facet facet = brdf_roughdielectric_facet_between(wo, wi, eta);
+    struct brdf_facet facet = brdf_facet_between(wo, wi, eta);
     struct brdf_roughdielectric_view view = brdf_roughdielectric_view_of(p, wo, wi);
     brdf_real d = brdf_microfacet_d(p.distribution, facet.h, p.alpha_u, p.alpha_v);
     brdf_real both = d * view.visibility;
@@ -130,8 +82,8 @@ static inline brdf_real brdf_roughdielectric_pdf(struct brdf_roughdielectric p, 
 {
     (void)table;
     brdf_real eta = p.int_ior / p.ext_ior;
-    struct brdf_roughdielectric_facet facet = brdf_roughdielectric_facet_between(wo, wi, eta);
-    brdf_vec3 o = brdf_roughdielectric_upper(wo);
+    struct brdf_facet facet = brdf_facet_between(wo, wi, eta);
+    brdf_vec3 o = brdf_facet_upper(wo);
     brdf_real d = brdf_microfacet_d(p.distribution, facet.h, p.alpha_u, p.alpha_v);
     brdf_real area = brdf_microfacet_area(p.distribution, o, p.alpha_u, p.alpha_v);
     brdf_real visible = d / brdf_max(area, 1e-20f); /* density of normals, over cos_o */
@@ -159,7 +111,7 @@ static inline struct brdf_sample brdf_roughdielectric_sample(struct brdf_roughdi
     brdf_mask outside = wo.z > 0.0f;
     brdf_real ratio = p.int_ior / p.ext_ior;
     brdf_real eta = brdf_pick(outside, ratio, 1.0f / ratio); /* far over near */
-    brdf_vec3 o = brdf_roughdielectric_upper(wo);
+    brdf_vec3 o = brdf_facet_upper(wo);
     brdf_vec3 h = brdf_microfacet_sample(p.distribution, o, p.alpha_u, p.alpha_v, u.x, u.y);
     brdf_real cosine = brdf_clamp(brdf_dot(o, h), 0.0f, 1.0f);
     struct brdf_fresnel fresnel = brdf_fresnel_dielectric(cosine, eta);
