@@ -163,7 +163,7 @@ run-tests: all $(test_programs) $(example_programs)
 # Who may see whose headers: arrows point down, cli -> laboratory -> libbrdfcl -> libbrdf.
 $(BUILD)/obj/lib/brdf/%.o: includes = -Ilib/brdf
 $(BUILD)/obj/lib/brdfcl/%.o: includes = -I. -Ilib/brdfcl -Ikernels $(package_cflags) $(embree_cppflags)
-$(BUILD)/obj/lib/brdflab/%.o: includes = -Ilib/brdflab $(lab_cflags)
+$(BUILD)/obj/lib/brdflab/%.o: includes = -Ilib -Ilib/brdflab $(lab_cflags)
 $(BUILD)/obj/cli/%.o: includes = -Icli -Ibench -Ilib
 $(BUILD)/obj/bench/%.o: includes = -Ibench -Icli -Ilib
 $(BUILD)/obj/tests/%.o: includes = -I. -Itests -Ilib -Ilib/brdf -Ilib/brdfcl -Ilib/brdflab -Ikernels \

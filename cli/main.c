@@ -22,6 +22,7 @@ static const struct command {
     {"devices", command_devices, "list the OpenCL devices"},
     {"eval", command_eval, "evaluate a material for two directions"},
     {"sample", command_sample, "draw directions from a material, as CSV"},
+    {"albedo", command_albedo, "how much light a material reflects and transmits"},
     {"check", command_check, "compare C with OpenCL, bit by bit"},
     {"bench", command_bench, "measure C against OpenCL"},
 };

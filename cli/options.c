@@ -81,6 +81,8 @@ static enum parse_result set_value(const struct option *option, const char *text
         return parse_int(text, option->low, option->high, option->to);
     case OPTION_REAL:
         return parse_real(text, option->low, option->high, option->to);
+    case OPTION_REALS:
+        return parse_list(text, option->low, option->high, option->to);
     case OPTION_SIZE:
         return parse_size(text, option->low, option->high, option->to);
     case OPTION_ANGLES:
@@ -114,6 +116,9 @@ static int say_malformed(const struct option *option, const char *shown, const c
     case OPTION_REAL:
         return say_usage("%s '%s': expected a number from %.15g to %.15g", shown, text, option->low,
                          option->high);
+    case OPTION_REALS:
+        return say_usage("%s '%s': expected numbers from %.15g to %.15g, as in 1,2.5,4", shown,
+                         text, option->low, option->high);
     case OPTION_SIZE:
         return say_usage("%s '%s': expected WIDTHxHEIGHT in pixels, as in 640x480", shown, text);
     case OPTION_ANGLES:
@@ -142,6 +147,9 @@ static int apply(const struct option *option, const char *shown, const char *tex
         say("%s '%s': theta goes from 0 to 180 degrees, phi is finite", shown, text);
     } else if (option->kind == OPTION_LIST) {
         say("%s is given more often than 64 times", shown);
+    } else if (option->kind == OPTION_REALS) {
+        say("%s '%s': up to 256 numbers from %.15g to %.15g", shown, text, option->low,
+            option->high);
     } else {
         say("%s '%s' is out of range: from %.15g to %.15g", shown, text, option->low, option->high);
     }

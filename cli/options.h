@@ -17,6 +17,7 @@ enum option_kind {
     OPTION_OFF,    /* no value; int, set to 0 */
     OPTION_INT,    /* int in [low, high] */
     OPTION_REAL,   /* double in [low, high] */
+    OPTION_REALS,  /* struct numbers, each in [low, high] */
     OPTION_TEXT,   /* const char * */
     OPTION_LIST,   /* struct texts */
     OPTION_CHOICE, /* int: which of the names in `value`, such as "opencl|c" */

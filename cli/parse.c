@@ -60,6 +60,31 @@ static int split(const char *text, char mark, char parts[2][64])
     return 1;
 }
 
+enum parse_result parse_list(const char *text, double low, double high, struct numbers *list)
+{
+    char number[64];
+    for (list->count = 0;; ++list->count) {
+        size_t span = strcspn(text, ",");
+        if (span >= sizeof number) {
+            return PARSE_MALFORMED;
+        }
+        if (list->count == (int)(sizeof list->item / sizeof list->item[0])) {
+            return PARSE_RANGE;
+        }
+        memcpy(number, text, span);
+        number[span] = '\0';
+        enum parse_result result = parse_real(number, low, high, &list->item[list->count]);
+        if (result != PARSE_OK) {
+            return result;
+        }
+        text += span;
+        if (!*text++) {
+            ++list->count;
+            return PARSE_OK;
+        }
+    }
+}
+
 enum parse_result parse_angles(const char *text, struct angles *value)
 {
     char parts[2][64];

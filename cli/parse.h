@@ -25,8 +25,17 @@ struct size {
     int height;
 };
 
+/* "0,30,60" */
+struct numbers {
+    double item[256];
+    int count;
+};
+
 enum parse_result parse_int(const char *text, double low, double high, int *value);
 enum parse_result parse_real(const char *text, double low, double high, double *value);
+
+/* Numbers between commas, each in its range, at least one. */
+enum parse_result parse_list(const char *text, double low, double high, struct numbers *list);
 
 /* "THETA,PHI" */
 enum parse_result parse_angles(const char *text, struct angles *value);

@@ -1,76 +1,9 @@
 #!/bin/sh
 # cli.sh - the command as a person or a script meets it: what it prints, what it leaves, how it exits.
-#
-# $BRDFCL is the command (build/brdfcl if not set). Counts as passed if every check below holds.
 set -eu
 
-BRDFCL=${BRDFCL:-$(pwd)/${BUILD:-build}/brdfcl}
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work"
-checks=0
-failures=0
-
-fail() {
-    failures=$((failures + 1))
-    echo "FAILED: $*"
-    [ ! -s out ] || sed 's/^/    out: /' out | head -n 20
-    [ ! -s err ] || sed 's/^/    err: /' err | head -n 20
-}
-
-# expect STATUS ARGUMENT...: run the command; its output is in the files out and err.
-expect() {
-    wanted=$1
-    shift
-    status=0
-    "$BRDFCL" "$@" >out 2>err </dev/null || status=$?
-    checks=$((checks + 1))
-    [ "$status" -eq "$wanted" ] || fail "exit status $status, not $wanted: brdfcl $*"
-}
-
-# says FILE PATTERN: the output of the last run has a line that fits the pattern.
-says() {
-    checks=$((checks + 1))
-    grep -q -e "$2" "$1" || fail "nothing like '$2' in $1: brdfcl $last"
-}
-
-# refused STATUS PATTERN ARGUMENT...: exit status, a reason, and nothing left behind.
-refused() {
-    wanted=$1 pattern=$2
-    shift 2
-    last="$*"
-    expect "$wanted" "$@"
-    says err "$pattern"
-    says err '^brdfcl: '
-    empty
-}
-
-# empty: beside what this script made there is nothing in the folder.
-empty() {
-    checks=$((checks + 1))
-    left=$(ls -A | grep -v -x -e out -e err -e scene.xml -e broken.xml || true)
-    [ -z "$left" ] || fail "left behind: $left"
-}
-
-# holds WHAT COMMAND...: any other check.
-holds() {
-    what=$1
-    shift
-    checks=$((checks + 1))
-    "$@" || fail "$what"
-}
-
-magic() { # magic FILE HEX: its first four bytes
-    [ -s "$1" ] && [ "$(od -An -tx1 -N4 "$1" | tr -d ' \n')" = "$2" ]
-}
-
-valid_json() {
-    if command -v python3 >/dev/null; then
-        python3 -m json.tool "$1" >/dev/null
-    else
-        grep -q '^{$' "$1" && grep -q '^}$' "$1" && ! grep -q -e nan -e inf "$1"
-    fi
-}
+. "$(dirname "$0")/support_cli"
+made='scene.xml broken.xml'
 
 cat >scene.xml <<'XML'
 <scene version="3.0.0">
@@ -91,14 +24,13 @@ echo '<scene version="3.0.0"><sensor type="perspective"/><shape type="spere"/></
 
 # --- The command itself ----------------------------------------------------------------------------
 
-last=
 expect 0 --help
 says out 'render'
 expect 0 --version
 says out '^brdfcl [0-9]'
 expect 2
 refused 2 "did you mean 'render'" rendr scene.xml
-for command in render models devices eval sample check bench; do
+for command in render models devices eval sample albedo check bench; do
     last="$command --help"
     expect 0 "$command" --help
     says out "^usage: brdfcl $command"
@@ -291,5 +223,4 @@ interrupt() { # interrupt SIGNAL STATUS
 interrupt INT 130
 interrupt TERM 143
 
-echo "$checks checks, $failures failed"
-[ "$failures" -eq 0 ]
+finish
