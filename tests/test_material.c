@@ -67,6 +67,9 @@ static void choices_and_flags(void **state)
     assert_int_equal(brdf_bsdf_material(both)->flags,
                      brdf_model_info(BRDF_MODEL_ROUGHCONDUCTOR)->flags | BRDF_TWOSIDED);
     assert_int_equal(brdf_bsdf_material(plain)->flags & BRDF_TWOSIDED, 0);
+    struct brdf_bsdf *opaque = create("principled:twosided,spec_trans=0,metallic=1");
+    assert_int_equal(brdf_bsdf_material(opaque)->flags & BRDF_TWOSIDED, BRDF_TWOSIDED);
+    brdf_bsdf_destroy(opaque);
     brdf_bsdf_destroy(plain);
     brdf_bsdf_destroy(both);
 }
@@ -120,6 +123,7 @@ static const struct {
     {"diffuse:twosided,twosided=false", BRDF_BAD_ARGUMENT, {"byte 18", "twice"}},
     {"diffuse:twosided=yes", BRDF_BAD_ARGUMENT, {"true or false"}},
     {"dielectric:twosided", BRDF_BAD_ARGUMENT, {"twosided", "below"}},
+    {"principled:twosided,spec_trans=0.1", BRDF_BAD_ARGUMENT, {"twosided", "spec_trans"}},
     {"dielectric:int_ior=daimond", BRDF_UNKNOWN_NAME, {"did you mean \"diamond\""}},
     {"dielectric:int_ior=-1.5", BRDF_OUT_OF_RANGE, {"-1.5", "unit ior"}},
     {"roughconductor:alpha=0", BRDF_OUT_OF_RANGE, {"alpha_u", "0.0001"}},

@@ -26,4 +26,5 @@
 #include "model/lommelseeliger.h"
 #include "model/hapke.h"
 #include "model/roughplastic.h"
+#include "model/principled.h"
 #include "model/merl.h"

@@ -48,11 +48,13 @@
 #define BRDF_PLUS_WORDS_FILE
 
 /* What a model is, as bits; each model's announcement line at the end of its file states them. */
-#define BRDF_REFLECTION 1u   /* scatters to wo's side */
-#define BRDF_TRANSMISSION 2u /* scatters to the other side */
-#define BRDF_DELTA 4u        /* has delta lobes only: eval and pdf are 0 */
-#define BRDF_ANISOTROPIC 8u  /* can depend on the azimuth of wo */
-#define BRDF_TABULATED 16u   /* reads a table made from a FILE */
-#define BRDF_RECIPROCAL 32u  /* f(wo, wi) = f(wi, wo), for transmission f / eta^2 */
+#define BRDF_REFLECTION 1u /* scatters to wo's side */
+#define BRDF_TRANSMISSION                                                                          \
+    2u                      /* scatters to the other side; a model with a REAL `spec_trans` only   \
+                               where that is above 0, and may be mirrored (twosided) where not */
+#define BRDF_DELTA 4u       /* has delta lobes only: eval and pdf are 0 */
+#define BRDF_ANISOTROPIC 8u /* can depend on the azimuth of wo */
+#define BRDF_TABULATED 16u  /* reads a table made from a FILE */
+#define BRDF_RECIPROCAL 32u /* f(wo, wi) = f(wi, wo), for transmission f / eta^2 */
 
 #endif

@@ -14,6 +14,12 @@ static brdf_status set_alias(const struct brdf_draft *d, const struct brdf_param
     return status;
 }
 
+/* The parameter that opens the side below when it is above 0; NULL if the model has none. */
+static const struct brdf_parameter_info *clarity_of(const struct brdf_draft *d)
+{
+    return brdf_parameter_find(d->model, "spec_trans");
+}
+
 /* The one setting that every model has. */
 static brdf_status set_twosided(struct brdf_draft *d)
 {
@@ -26,7 +32,7 @@ static brdf_status set_twosided(struct brdf_draft *d)
     if (!yes && !no) {
         return brdf_draft_refuse(d, BRDF_BAD_ARGUMENT, "twosided must be true or false");
     }
-    if (yes && d->model->flags & BRDF_TRANSMISSION) {
+    if (yes && d->model->flags & BRDF_TRANSMISSION && !clarity_of(d)) {
         return brdf_draft_refuse(d, BRDF_BAD_ARGUMENT,
                                  "%s has a side below of its own: leave out twosided",
                                  d->model->name);
@@ -96,11 +102,26 @@ static brdf_status complete_metal(const struct brdf_draft *d,
     return BRDF_OK;
 }
 
+/* An opaque material may be mirrored, a clear one has a side below of its own. */
+static brdf_status complete_twosided(const struct brdf_draft *d)
+{
+    const struct brdf_material *m = &d->bsdf->material;
+    const struct brdf_parameter_info *clarity = clarity_of(d);
+    if (clarity && m->flags & BRDF_TWOSIDED &&
+        m->word[brdf_parameter_place(d->model, clarity)] > 0.0f) {
+        return brdf_draft_refuse(d, BRDF_BAD_ARGUMENT,
+                                 "%s with %s above 0 has a side below of its own: leave out"
+                                 " twosided",
+                                 d->model->name, clarity->name);
+    }
+    return BRDF_OK;
+}
+
 /* What can only be said once all settings are in. */
 static brdf_status complete(struct brdf_draft *d)
 {
-    brdf_status status = BRDF_OK;
     d->setting = NULL;
+    brdf_status status = complete_twosided(d);
     for (size_t i = 0; !status && i < d->model->parameter_count; ++i) {
         const struct brdf_parameter_info *p = &d->model->parameters[i];
         if (p->kind == BRDF_KIND_METAL) {
