@@ -59,6 +59,18 @@ BRDF_API brdf_status brdf_merl_make(brdf_merl_function *f, void *data, struct br
                                     struct brdf_error *error);
 
 /*
+ * Give a file its sizes and its memory, every bin invalid (-1), to be filled in by the caller, who
+ * keeps `invalid` true. Errors: BRDF_OUT_OF_MEMORY, BRDF_BAD_ARGUMENT.
+ */
+BRDF_API brdf_status brdf_merl_create(struct brdf_merl_file *file, struct brdf_error *error);
+
+/*
+ * Fill the invalid bins of a file as brdf_merl_read does with BRDF_MERL_INVALID_FILL; `invalid`
+ * keeps the count of what was not measured. Errors: BRDF_BAD_ARGUMENT (no bin is valid).
+ */
+BRDF_API brdf_status brdf_merl_fill(struct brdf_merl_file *file, struct brdf_error *error);
+
+/*
  * The directions [1] at the centre of a bin, wo and wi unit, h in the half plane of +x. Returns 1
  * if both are above the surface, else 0.
  */

@@ -122,3 +122,13 @@ void brdf_merl_replace(struct brdf_merl_file *file, enum brdf_merl_invalid inval
         }
     }
 }
+
+brdf_status brdf_merl_fill(struct brdf_merl_file *file, struct brdf_error *error)
+{
+    if (!file || !file->rgb || file->invalid >= file->bins) {
+        return brdf_fail(error, BRDF_BAD_ARGUMENT,
+                         "brdf_merl_fill needs a table with at least one valid bin");
+    }
+    brdf_merl_replace(file, BRDF_MERL_INVALID_FILL);
+    return BRDF_OK;
+}

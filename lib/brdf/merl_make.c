@@ -24,6 +24,22 @@ int brdf_merl_directions(int theta_h, int theta_d, int phi_d, double wo[3], doub
     return wo[2] > 0.0 && wi[2] > 0.0;
 }
 
+brdf_status brdf_merl_create(struct brdf_merl_file *file, struct brdf_error *error)
+{
+    if (!file) {
+        return brdf_fail(error, BRDF_BAD_ARGUMENT, "brdf_merl_create needs a file to fill");
+    }
+    memset(file, 0, sizeof *file);
+    brdf_status status = brdf_merl_reserve(file, error);
+    if (status == BRDF_OK) {
+        for (size_t i = 0; i < file->bins * 3; ++i) {
+            file->rgb[i] = -1.0f;
+        }
+        file->invalid = file->bins;
+    }
+    return status;
+}
+
 brdf_status brdf_merl_make(brdf_merl_function *f, void *data, struct brdf_merl_file *file,
                            struct brdf_error *error)
 {

@@ -1,0 +1,24 @@
+/*
+ * compare.h - how far one material is from another.
+ */
+#ifndef BRDFLAB_COMPARE_H
+#define BRDFLAB_COMPARE_H
+
+#include <brdf/material.h>
+
+/*
+ * The differences of f from g over pairs of directions above the surface: theta_o from 5 to 85
+ * degrees in steps of 10, all the same weight, and all of wi with the weight cos(theta_i). The
+ * integrals are sums over a lattice, half of it drawn from f, so that highlights are not missed.
+ */
+struct lab_difference {
+    double rms;       /* sqrt(integral of (f - g)^2 / integral of f^2), all channels in one */
+    double mean;      /* integral of |f - g| / integral of f: less of it is the peak's */
+    double worst;     /* the largest |f - g| / f, where f is above 0.001 1/sr */
+    brdf_vec3 wo, wi; /* ... and where that is */
+    double albedo;    /* the largest difference of albedos, of any theta_o and channel */
+};
+
+struct lab_difference lab_compare(const struct brdf_bsdf *f, const struct brdf_bsdf *g);
+
+#endif

@@ -1,0 +1,82 @@
+/* open.c - files told from descriptions, and one format from another. */
+#define _POSIX_C_SOURCE 200809L
+
+#include "open.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include <brdf/info.h>
+
+/* Does the text begin with the name of a model? */
+static int is_description(const char *text)
+{
+    char name[64];
+    size_t length = strcspn(text, ":");
+    snprintf(name, sizeof name, "%.*s", (int)(length < 60 ? length : 60), text);
+    return brdf_model_find(name) != NULL;
+}
+
+static brdf_status refuse(const char *text, int reason, struct brdf_error *error)
+{
+    char name[64];
+    size_t length = strcspn(text, ":");
+    snprintf(name, sizeof name, "%.*s", (int)(length < 60 ? length : 60), text);
+    const char *nearest = brdf_model_nearest(name);
+    if (reason == ENOENT && nearest) {
+        return brdf_fail(error, BRDF_UNKNOWN_NAME,
+                         "%s: there is no such file, and no model is called \"%s\"; did you mean "
+                         "\"%s\"?",
+                         text, name, nearest);
+    }
+    return brdf_fail(error, BRDF_IO,
+                     "%s: cannot be opened: %s; expected a measured file (.binary, .bsdf) or a "
+                     "material such as roughconductor:material=Au,alpha=0.2",
+                     text, strerror(reason));
+}
+
+brdf_status lab_format_of(const char *text, enum lab_format *format, struct brdf_error *error)
+{
+    static const char rgl[12] = "tensor_file";
+    struct stat info;
+    char begin[sizeof rgl] = "";
+    *format = LAB_FORMAT_NONE;
+    if (stat(text, &info) != 0) {
+        return is_description(text) ? BRDF_OK : refuse(text, errno, error);
+    }
+    if (!S_ISREG(info.st_mode)) {
+        return brdf_fail(error, BRDF_IO, "%s: is not a regular file but %s", text,
+                         S_ISDIR(info.st_mode) ? "a folder" : "a pipe, socket or device");
+    }
+    FILE *stream = fopen(text, "rb");
+    if (!stream) {
+        return refuse(text, errno, error);
+    }
+    size_t count = fread(begin, 1, sizeof begin, stream);
+    fclose(stream);
+    int is_rgl = count == sizeof begin && memcmp(begin, rgl, sizeof rgl) == 0;
+    *format = is_rgl ? LAB_FORMAT_RGL : LAB_FORMAT_MERL;
+    return BRDF_OK;
+}
+
+brdf_status lab_open(const char *text, struct brdf_bsdf **out, enum lab_format *format,
+                     struct brdf_error *error)
+{
+    enum lab_format found;
+    *out = NULL;
+    brdf_status status = lab_format_of(text, &found, error);
+    if (status) {
+        return status;
+    }
+    if (format) {
+        *format = found;
+    }
+    if (found == LAB_FORMAT_NONE) {
+        return brdf_bsdf_create(text, out, error);
+    }
+    struct brdf_setting setting = brdf_setting_text("filename", text);
+    return brdf_bsdf_create_from(found == LAB_FORMAT_RGL ? "measured" : "merl", &setting, 1, out,
+                                 error);
+}

@@ -1,0 +1,30 @@
+/*
+ * open.h - a material as a person names it: the path of a measured file, or a description such
+ * as roughconductor:material=Au,alpha=0.2.
+ */
+#ifndef BRDFLAB_OPEN_H
+#define BRDFLAB_OPEN_H
+
+#include <brdf/material.h>
+
+enum lab_format {
+    LAB_FORMAT_NONE, /* a description, no file */
+    LAB_FORMAT_MERL,
+    LAB_FORMAT_RGL
+};
+
+/*
+ * What a text names. A file is told from a description by being there, its format by its first
+ * bytes; a file that is neither format counts as MERL, whose reader says what is wrong with it.
+ * Errors: BRDF_IO (neither a file nor a model's name; a folder, a pipe; not readable).
+ */
+brdf_status lab_format_of(const char *text, enum lab_format *format, struct brdf_error *error);
+
+/*
+ * Open what the text names as a bsdf, *out for brdf_bsdf_destroy; `format` may be NULL. Errors:
+ * those of lab_format_of and brdf_bsdf_create.
+ */
+brdf_status lab_open(const char *text, struct brdf_bsdf **out, enum lab_format *format,
+                     struct brdf_error *error);
+
+#endif

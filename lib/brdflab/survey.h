@@ -1,0 +1,56 @@
+/*
+ * survey.h - what can be said of a measured material before it is trusted.
+ */
+#ifndef BRDFLAB_SURVEY_H
+#define BRDFLAB_SURVEY_H
+
+#include <stddef.h>
+
+#include <brdf/material.h>
+#include <brdf/merl.h>
+
+enum { LAB_SURVEY_ANGLES = 9 };
+
+/* The angles of the albedos [degrees]. */
+extern const double lab_survey_angles[LAB_SURVEY_ANGLES];
+
+/* What any material can be asked, by evaluating it. */
+struct lab_survey {
+    double albedo[LAB_SURVEY_ANGLES][3];
+    double albedo_diffuse[3]; /* under light from everywhere: the average over the cosine */
+    double reciprocity;       /* integral of |f(wo, wi) - f(wi, wo)| over that of f, all pairs */
+    double energy;            /* the largest albedo found */
+    double energy_angle;      /* ... and at which angle [degrees] */
+    double energy_from;       /* the least angle found with an albedo above 1; 90: none */
+};
+
+void lab_survey_make(const struct brdf_bsdf *bsdf, struct lab_survey *survey);
+
+/* The place of a bin: angles of its centre [degrees]. */
+struct lab_place {
+    double theta_h, theta_d, phi_d;
+};
+
+/* What a MERL table says of itself, read with BRDF_MERL_INVALID_KEEP. */
+struct lab_merl_survey {
+    size_t bins, valid;
+    size_t above;         /* bins whose centre has both directions above the surface */
+    size_t above_invalid; /* of these, not measured ... */
+    double invalid_from;  /* ... all of them with a direction this far from the normal [degrees] */
+    size_t zero;          /* valid bins with a channel that is exactly 0 */
+    double least, most;   /* of valid bins and channels [1/sr] */
+    struct lab_place least_at, most_at;
+    double noise;         /* from bin to bin: see survey_merl.c; relative, up to 60 degrees */
+    double noise_grazing; /* the same beyond 60 degrees */
+};
+
+void lab_survey_merl(const struct brdf_merl_file *file, struct lab_merl_survey *survey);
+
+/*
+ * A doubt in a sentence, number 0, 1, ... of those there are; NULL after the last. `merl` may be
+ * NULL. The text is in `text` of `size` bytes.
+ */
+const char *lab_survey_doubt(const struct lab_survey *survey, const struct lab_merl_survey *merl,
+                             int number, char *text, size_t size);
+
+#endif

@@ -1,0 +1,99 @@
+/* survey_doubts.c - where a measurement is not to be believed, in words. */
+#include "survey.h"
+
+#include <stdio.h>
+
+/* Each writes a sentence and returns 1 if there is something to doubt. */
+typedef int doubt(const struct lab_survey *survey, const struct lab_merl_survey *merl, char *text,
+                  size_t size);
+
+static int energy_above_one(const struct lab_survey *s, const struct lab_merl_survey *m, char *text,
+                            size_t size)
+{
+    (void)m;
+    snprintf(text, size,
+             "reflects more than it receives from %g degrees on: an albedo of %.3f at %g degrees",
+             s->energy_from, s->energy, s->energy_angle);
+    return s->energy_from < 90.0;
+}
+
+static int not_reciprocal(const struct lab_survey *s, const struct lab_merl_survey *m, char *text,
+                          size_t size)
+{
+    (void)m;
+    snprintf(text, size,
+             "exchanging viewer and light changes f by %.1f %% on average: directions that are "
+             "far apart in angle are not to be compared",
+             100.0 * s->reciprocity);
+    return s->reciprocity > 0.05;
+}
+
+static int not_measured(const struct lab_survey *s, const struct lab_merl_survey *m, char *text,
+                        size_t size)
+{
+    (void)s;
+    if (!m || m->above_invalid == 0) {
+        return 0;
+    }
+    snprintf(text, size,
+             "%zu bins above the surface were not measured (%.2f %%), from %.1f degrees on: they "
+             "are filled from their neighbours",
+             m->above_invalid, 100.0 * (double)m->above_invalid / (double)m->above,
+             m->invalid_from);
+    return 1;
+}
+
+static int black_bins(const struct lab_survey *s, const struct lab_merl_survey *m, char *text,
+                      size_t size)
+{
+    (void)s;
+    if (!m || m->zero == 0) {
+        return 0;
+    }
+    snprintf(text, size,
+             "%zu measured bins are exactly 0 in some channel (%.2f %%): negative readings that "
+             "were cut off, or unmeasured ones that were not marked",
+             m->zero, 100.0 * (double)m->zero / (double)m->valid);
+    return 1;
+}
+
+static int peak_at_grazing(const struct lab_survey *s, const struct lab_merl_survey *m, char *text,
+                           size_t size)
+{
+    (void)s;
+    if (!m || m->most_at.theta_h < 10.0) {
+        return 0;
+    }
+    snprintf(text, size,
+             "the largest value, %.4g 1/sr, is far from the highlight (theta_h %.1f, theta_d %.1f "
+             "degrees)",
+             m->most, m->most_at.theta_h, m->most_at.theta_d);
+    return 1;
+}
+
+static int noisy(const struct lab_survey *s, const struct lab_merl_survey *m, char *text,
+                 size_t size)
+{
+    (void)s;
+    if (!m || (m->noise < 0.05 && m->noise_grazing < 0.05)) {
+        return 0;
+    }
+    snprintf(text, size,
+             "noise from bin to bin: %.1f %% of f where both directions are within 60 degrees of "
+             "the normal, %.1f %% beyond",
+             100.0 * m->noise, 100.0 * m->noise_grazing);
+    return 1;
+}
+
+const char *lab_survey_doubt(const struct lab_survey *survey, const struct lab_merl_survey *merl,
+                             int number, char *text, size_t size)
+{
+    static doubt *const doubts[] = {energy_above_one, not_reciprocal,  not_measured,
+                                    black_bins,       peak_at_grazing, noisy};
+    for (size_t i = 0; i < sizeof doubts / sizeof doubts[0]; ++i) {
+        if (doubts[i](survey, merl, text, size) && number-- == 0) {
+            return text;
+        }
+    }
+    return NULL;
+}
