@@ -18,6 +18,9 @@ int command_eval(int argc, char **argv);
 int command_sample(int argc, char **argv);
 int command_albedo(int argc, char **argv);
 int command_check(int argc, char **argv);
+int command_info(int argc, char **argv);
+int command_convert(int argc, char **argv);
+int command_mix(int argc, char **argv);
 int command_bench(int argc, char **argv);
 
 #endif

@@ -23,6 +23,9 @@ static const struct command {
     {"eval", command_eval, "evaluate a material for two directions"},
     {"sample", command_sample, "draw directions from a material, as CSV"},
     {"albedo", command_albedo, "how much light a material reflects and transmits"},
+    {"info", command_info, "describe a measured file, and where it is to be doubted"},
+    {"convert", command_convert, "write a material as a measured file"},
+    {"mix", command_mix, "mix measured materials into a new one"},
     {"check", command_check, "compare C with OpenCL, bit by bit"},
     {"bench", command_bench, "measure C against OpenCL"},
 };

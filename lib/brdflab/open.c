@@ -10,6 +10,8 @@
 
 #include <brdf/info.h>
 
+#include "bake.h"
+
 /* Does the text begin with the name of a model? */
 static int is_description(const char *text)
 {
@@ -79,4 +81,23 @@ brdf_status lab_open(const char *text, struct brdf_bsdf **out, enum lab_format *
     struct brdf_setting setting = brdf_setting_text("filename", text);
     return brdf_bsdf_create_from(found == LAB_FORMAT_RGL ? "measured" : "merl", &setting, 1, out,
                                  error);
+}
+
+brdf_status lab_open_merl(const char *text, struct brdf_merl_file *file, enum lab_format *format,
+                          struct brdf_error *error)
+{
+    struct brdf_bsdf *bsdf = NULL;
+    memset(file, 0, sizeof *file);
+    brdf_status status = lab_format_of(text, format, error);
+    if (status == BRDF_OK && *format == LAB_FORMAT_MERL) {
+        return brdf_merl_read(text, BRDF_MERL_INVALID_KEEP, file, error);
+    }
+    if (status == BRDF_OK) {
+        status = lab_open(text, &bsdf, NULL, error);
+    }
+    if (status == BRDF_OK) {
+        status = lab_bake_merl(bsdf, file, error);
+    }
+    brdf_bsdf_destroy(bsdf);
+    return status;
 }

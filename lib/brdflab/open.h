@@ -6,6 +6,7 @@
 #define BRDFLAB_OPEN_H
 
 #include <brdf/material.h>
+#include <brdf/merl.h>
 
 enum lab_format {
     LAB_FORMAT_NONE, /* a description, no file */
@@ -26,5 +27,13 @@ brdf_status lab_format_of(const char *text, enum lab_format *format, struct brdf
  */
 brdf_status lab_open(const char *text, struct brdf_bsdf **out, enum lab_format *format,
                      struct brdf_error *error);
+
+/*
+ * What the text names as a table on MERL's grid, for brdf_merl_free: a MERL file as it is, its
+ * invalid bins kept (-1), anything else baked (bake.h). Errors: those of lab_open, brdf_merl_read
+ * and lab_bake_merl.
+ */
+brdf_status lab_open_merl(const char *text, struct brdf_merl_file *file, enum lab_format *format,
+                          struct brdf_error *error);
 
 #endif

@@ -1,0 +1,203 @@
+/* info.c - brdfcl info: what a measured file holds, and how far it is to be trusted. */
+#include <stdio.h>
+#include <string.h>
+
+#include "brdflab/open.h"
+#include "brdflab/survey.h"
+#include "commands.h"
+#include "json.h"
+#include "options.h"
+#include "say.h"
+#include "text_file.h"
+
+static const char summary[] =
+    "Describe a measured material, a .binary or .bsdf file: its format and size, how much of it "
+    "was\n"
+    "measured, least and largest values, albedo over angles, whether it is reciprocal, whether it\n"
+    "reflects more than it receives, and where it is to be doubted.";
+
+struct info_run {
+    const char *path;
+    const char *json_path;
+    enum lab_format format;
+    struct lab_survey survey;
+    struct lab_merl_survey merl; /* if that is the format */
+};
+
+static brdf_status survey(struct info_run *run, struct brdf_error *error)
+{
+    struct brdf_bsdf *bsdf = NULL;
+    struct brdf_merl_file file;
+    brdf_status status = lab_open(run->path, &bsdf, &run->format, error);
+    if (!status && run->format == LAB_FORMAT_MERL) {
+        status = brdf_merl_read(run->path, BRDF_MERL_INVALID_KEEP, &file, error);
+        if (!status) {
+            lab_survey_merl(&file, &run->merl);
+            brdf_merl_free(&file);
+        }
+    }
+    if (!status) {
+        lab_survey_make(bsdf, &run->survey);
+    }
+    brdf_bsdf_destroy(bsdf);
+    return status;
+}
+
+static const char *doubt(const struct info_run *run, int number, char *text, size_t size)
+{
+    const struct lab_merl_survey *merl = run->format == LAB_FORMAT_MERL ? &run->merl : NULL;
+    return lab_survey_doubt(&run->survey, merl, number, text, size);
+}
+
+static void print_place(const char *name, double value, struct lab_place at)
+{
+    printf("%-12s%.5g 1/sr, at theta_h %.2f, theta_d %.1f, phi_d %.1f degrees\n", name, value,
+           at.theta_h, at.theta_d, at.phi_d);
+}
+
+static void print_merl(const struct lab_merl_survey *m)
+{
+    printf("format      MERL: isotropic, 90 x 90 x 180 bins of theta_h, theta_d, phi_d, RGB\n");
+    printf("measured    %zu of %zu bins (%.1f %%); of the %zu above the surface all but %zu\n",
+           m->valid, m->bins, 100.0 * (double)m->valid / (double)m->bins, m->above,
+           m->above_invalid);
+    print_place("least f", m->least, m->least_at);
+    print_place("largest f", m->most, m->most_at);
+    printf("noise       %.2g of f between neighbours, %.2g beyond 60 degrees\n", m->noise,
+           m->noise_grazing);
+}
+
+static void print_survey(const struct lab_survey *s)
+{
+    printf("albedo      %7s  %7s %7s %7s\n", "theta", "red", "green", "blue");
+    for (int k = 0; k < LAB_SURVEY_ANGLES; ++k) {
+        printf("            %7g  %7.4f %7.4f %7.4f\n", lab_survey_angles[k], s->albedo[k][0],
+               s->albedo[k][1], s->albedo[k][2]);
+    }
+    printf("            %7s  %7.4f %7.4f %7.4f\n", "average", s->albedo_diffuse[0],
+           s->albedo_diffuse[1], s->albedo_diffuse[2]);
+    printf("reciprocity f(wo, wi) and f(wi, wo) differ by %.2g of f on average\n", s->reciprocity);
+    if (s->energy_from < 90.0) {
+        printf("energy      albedo up to %.4f (%g degrees), above 1 from %g degrees on\n",
+               s->energy, s->energy_angle, s->energy_from);
+    } else {
+        printf("energy      albedo up to %.4f (%g degrees), never above 1\n", s->energy,
+               s->energy_angle);
+    }
+}
+
+static void print(const struct info_run *run)
+{
+    char text[300];
+    printf("%s\n", run->path);
+    if (run->format == LAB_FORMAT_MERL) {
+        print_merl(&run->merl);
+    } else {
+        printf("format      a description, not a file\n");
+    }
+    print_survey(&run->survey);
+    for (int i = 0; doubt(run, i, text, sizeof text); ++i) {
+        printf("doubt       %s\n", text);
+    }
+}
+
+static void put_color(struct json *json, const char *key, const double color[3])
+{
+    json_array(json, key);
+    for (int channel = 0; channel < 3; ++channel) {
+        json_real(json, NULL, color[channel]);
+    }
+    json_array_end(json);
+}
+
+static void put_place(struct json *json, const char *key, double value, struct lab_place at)
+{
+    json_object(json, key);
+    json_real(json, "value", value);
+    json_real(json, "theta_h", at.theta_h);
+    json_real(json, "theta_d", at.theta_d);
+    json_real(json, "phi_d", at.phi_d);
+    json_object_end(json);
+}
+
+static void put_merl(struct json *json, const struct lab_merl_survey *m)
+{
+    json_array(json, "bins");
+    json_int(json, NULL, 90);
+    json_int(json, NULL, 90);
+    json_int(json, NULL, 180);
+    json_array_end(json);
+    json_int(json, "valid", (long long)m->valid);
+    json_real(json, "valid_fraction", (double)m->valid / (double)m->bins);
+    json_int(json, "above", (long long)m->above);
+    json_int(json, "above_invalid", (long long)m->above_invalid);
+    json_int(json, "zero", (long long)m->zero);
+    put_place(json, "least", m->least, m->least_at);
+    put_place(json, "largest", m->most, m->most_at);
+    json_real(json, "noise", m->noise);
+    json_real(json, "noise_grazing", m->noise_grazing);
+}
+
+static void put_survey(struct json *json, const struct lab_survey *s)
+{
+    json_array(json, "albedo");
+    for (int k = 0; k < LAB_SURVEY_ANGLES; ++k) {
+        json_object(json, NULL);
+        json_real(json, "theta", lab_survey_angles[k]);
+        put_color(json, "reflection", s->albedo[k]);
+        json_object_end(json);
+    }
+    json_array_end(json);
+    put_color(json, "albedo_average", s->albedo_diffuse);
+    json_real(json, "reciprocity", s->reciprocity);
+    json_real(json, "energy", s->energy);
+    json_real(json, "energy_angle", s->energy_angle);
+}
+
+static brdf_status write_json(const struct info_run *run, struct brdf_error *error)
+{
+    static const char *const names[] = {"description", "merl", "rgl"};
+    struct json json = {0};
+    char text[300];
+    json_object(&json, NULL);
+    json_text(&json, "file", run->path);
+    json_text(&json, "format", names[run->format]);
+    if (run->format == LAB_FORMAT_MERL) {
+        put_merl(&json, &run->merl);
+    }
+    put_survey(&json, &run->survey);
+    json_array(&json, "doubts");
+    for (int i = 0; doubt(run, i, text, sizeof text); ++i) {
+        json_text(&json, NULL, text);
+    }
+    json_array_end(&json);
+    json_object_end(&json);
+    brdf_status status = json_write(&json, run->json_path, error);
+    json_free(&json);
+    return status;
+}
+
+int command_info(int argc, char **argv)
+{
+    struct info_run run = {0};
+    struct brdf_error error = {BRDF_OK, ""};
+    const struct option options[] = {
+        {"json", 0, OPTION_TEXT, &run.json_path, "FILE", 0, 0,
+         "write it as JSON instead; - is standard output"},
+    };
+    const struct usage usage = {"info", "FILE", summary, options, 1, 1, 1};
+    struct texts arguments;
+    int exit_status = options_read(&usage, argc, argv, &arguments);
+    if (exit_status != OPTIONS_GO_ON) {
+        return exit_status;
+    }
+    run.path = arguments.item[0];
+    brdf_status status = run.json_path ? text_file_check(run.json_path, &error) : BRDF_OK;
+    status = status ? status : survey(&run, &error);
+    if (!status && run.json_path) {
+        status = write_json(&run, &error);
+    } else if (!status) {
+        print(&run);
+    }
+    return status ? say_error(&error) : EXIT_DONE;
+}

@@ -1,0 +1,35 @@
+/* complete.c - unmeasured bins above the surface. */
+#include "complete.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static int bin_is_above(const struct brdf_merl_file *file, size_t bin)
+{
+    size_t phi_d = (size_t)file->phi_d, theta_d = (size_t)file->theta_d;
+    double wo[3], wi[3];
+    return brdf_merl_directions((int)(bin / phi_d / theta_d), (int)(bin / phi_d % theta_d),
+                                (int)(bin % phi_d), wo, wi);
+}
+
+brdf_status lab_complete_merl(struct brdf_merl_file *file, int fill, struct brdf_error *error)
+{
+    struct brdf_merl_file filled = *file;
+    size_t size = file->bins * 3 * sizeof *file->rgb;
+    filled.rgb = malloc(size);
+    if (!filled.rgb) {
+        return brdf_fail(error, BRDF_OUT_OF_MEMORY, "no memory to fill %zu bins", file->bins);
+    }
+    memcpy(filled.rgb, file->rgb, size);
+    brdf_status status = brdf_merl_fill(&filled, error);
+    for (size_t bin = 0; bin < file->bins && status == BRDF_OK; ++bin) {
+        if (file->rgb[3 * bin] < 0.0f && bin_is_above(file, bin)) {
+            for (size_t c = 0; c < 3; ++c) {
+                file->rgb[3 * bin + c] = fill ? filled.rgb[3 * bin + c] : 0.0f;
+            }
+            --file->invalid;
+        }
+    }
+    free(filled.rgb);
+    return status;
+}

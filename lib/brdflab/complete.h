@@ -1,0 +1,16 @@
+/*
+ * complete.h - bins that were not measured, given a value for good.
+ */
+#ifndef BRDFLAB_COMPLETE_H
+#define BRDFLAB_COMPLETE_H
+
+#include <brdf/merl.h>
+
+/*
+ * Give every invalid bin whose directions are above the surface a value: the one that
+ * brdf_merl_fill finds, or 0 if not `fill`. The others stay invalid, which says that nobody asked.
+ * Errors: BRDF_BAD_ARGUMENT (no bin is valid), BRDF_OUT_OF_MEMORY.
+ */
+brdf_status lab_complete_merl(struct brdf_merl_file *file, int fill, struct brdf_error *error);
+
+#endif
