@@ -22,8 +22,8 @@ static int not_reciprocal(const struct lab_survey *s, const struct lab_merl_surv
 {
     (void)m;
     snprintf(text, size,
-             "exchanging viewer and light changes f by %.1f %% on average: directions that are "
-             "far apart in angle are not to be compared",
+             "exchanging viewer and light changes f by %.1f %% on average: it was measured in "
+             "one order, and the other is not what the sample does",
              100.0 * s->reciprocity);
     return s->reciprocity > 0.05;
 }

@@ -1,0 +1,119 @@
+#!/bin/sh
+# cli_measured.sh - the commands that make, describe and change measured files.
+set -eu
+
+. "$(dirname "$0")/support_cli"
+
+# --- convert ---------------------------------------------------------------------------------------
+
+last='convert diffuse'
+expect 0 convert diffuse:reflectance=0.2/0.4/0.6 matte.binary
+says out '^matte.binary: MERL, from diffuse'
+says out '^difference  rms [0-9.]*e-0[89]  mean'
+says out '^largest '
+holds 'not the size of a MERL file' [ "$(wc -c <matte.binary)" -eq 34992012 ]
+last='convert --json -'
+expect 0 convert roughconductor:material=Cu,alpha=0.2 metal.binary --json -
+cp out difference.json
+holds 'not valid JSON' valid_json difference.json
+for key in in out format rms mean albedo largest largest_wo largest_wi; do
+    says difference.json "\"$key\": "
+done
+rm difference.json
+last='convert metal again'
+expect 0 convert metal.binary again.txt --format merl
+holds 'a table that is whole changes by being read' cmp -s metal.binary again.txt
+rm again.txt
+
+# A hole: 8 bytes each of R, G, B become -1 at theta_h 40, theta_d 20, phi_d 90.
+cp matte.binary holed.binary
+for plane in 0 1 2; do
+    bin=$((plane * 1458000 + (40 * 90 + 20) * 180 + 90))
+    printf '\000\000\000\000\000\000\360\277' |
+        dd of=holed.binary bs=1 seek=$((12 + 8 * bin)) conv=notrunc 2>/dev/null
+done
+last='convert a hole'
+expect 0 convert holed.binary filled.binary
+expect 0 info filled.binary
+says out 'above the surface all but 0$'
+says out '^least f     0.06'
+expect 0 convert holed.binary zero.binary --no-fill
+expect 0 info zero.binary
+says out 'above the surface all but 0$'
+says out '^least f     0 1/sr, at theta_h 18.23, theta_d 20.5, phi_d 90.5 degrees'
+rm filled.binary zero.binary
+
+# --- info ------------------------------------------------------------------------------------------
+
+last='info'
+expect 0 info holed.binary
+says out '^format      MERL: isotropic, 90 x 90 x 180'
+says out 'above the surface all but 1$'
+says out '^  *average   0.2000  0.4000  0.6000'
+says out 'never above 1'
+says out '^doubt       1 bins above the surface were not measured'
+last='info --json -'
+expect 0 info metal.binary --json -
+cp out info.json
+holds 'not valid JSON' valid_json info.json
+for key in file format bins valid_fraction least largest noise albedo reciprocity energy doubts; do
+    says info.json "\"$key\": "
+done
+rm info.json holed.binary
+
+# --- mix -------------------------------------------------------------------------------------------
+
+same() { # same A B WHAT
+    holds "$3" cmp -s "$1" "$2"
+    rm "$2"
+}
+last='mix'
+for space in linear log-relative; do
+    expect 0 mix metal.binary metal.binary mixed.binary --weight 0.3 --space $space
+    same metal.binary mixed.binary 'mixing with itself changes bits'
+    expect 0 mix matte.binary metal.binary mixed.binary --weight 0 --space $space
+    same matte.binary mixed.binary 'weight 0 is not the first'
+    expect 0 mix matte.binary metal.binary mixed.binary --weight 1 --space $space
+    same metal.binary mixed.binary 'weight 1 is not the second'
+done
+expect 0 mix matte.binary metal.binary roughplastic mixed.binary --weight 0.2,0.3
+says out '^mixed.binary: 0.5 matte.binary + 0.2 metal.binary + 0.3 roughplastic, log-relative'
+expect 0 info mixed.binary
+rm mixed.binary
+made='matte.binary metal.binary'
+refused 2 'an argument is missing' mix a b
+refused 2 'leave it none' mix diffuse phong ward o.binary --weight 0.6,0.6
+refused 2 '3 weights for 2 materials' mix diffuse phong o.binary --weight 1,2,3
+refused 2 'all weights are 0' mix diffuse phong o.binary --weight 0,0
+refused 2 'MERL files' mix diffuse phong o.bsdf
+refused 2 'no suffix that tells its format' mix diffuse phong o.txt
+refused 2 'one of log-relative' mix diffuse phong o.binary --space cubic
+refused 1 'did you mean "diffuse"' mix difuse phong o.binary
+refused 1 'turned about its normal' mix diffuse ashikhminshirley:exponent_u=10,exponent_v=900 o.binary
+
+# --- what is refused -------------------------------------------------------------------------------
+
+refused 2 'no suffix' convert diffuse o.exr
+refused 1 'mirror direction' convert conductor o.binary
+refused 1 'lets light through' convert roughdielectric o.binary
+refused 1 'is a folder' convert diffuse /tmp --format merl
+refused 1 '/nonexistent' convert diffuse /nonexistent/o.binary
+refused 1 'No such file' info difuse.binary
+refused 1 'a folder' info /tmp
+head -c 1000 matte.binary >cut
+last='info cut'
+expect 1 info cut
+says err 'cut off'
+
+# A full disk leaves what was there before.
+echo before >cut
+made="$made cut"
+last='convert on a full disk'
+status=0
+(ulimit -f 1000 && exec "$BRDFCL" convert diffuse cut --format merl) >out 2>err || status=$?
+holds 'a full disk is no error' [ "$status" -eq 1 ]
+says err '^brdfcl: .*too large'
+holds 'the old file is gone' [ "$(cat cut)" = before ]
+empty
+
+finish
