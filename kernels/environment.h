@@ -9,6 +9,8 @@
 #ifndef PT_ENVIRONMENT_H
 #define PT_ENVIRONMENT_H
 
+#include "brdf/math.h"
+#include "brdf/warp.h"
 #include "intersect.h"
 #include "path.h"
 #include "search.h"

@@ -6,6 +6,7 @@
 #ifndef PT_GENERATE_H
 #define PT_GENERATE_H
 
+#include "brdf/math.h"
 #include "path.h"
 
 /*

@@ -4,6 +4,7 @@
 #ifndef PT_INTERACTION_H
 #define PT_INTERACTION_H
 
+#include "brdf/math.h"
 #include "intersect.h"
 #include "path.h"
 
@@ -17,12 +18,15 @@ struct pt_primitive {
     brdf_real flip;
     brdf_real radius;
     brdf_real light_pdf;
+    brdf_real mirrored;
 };
 
 struct pt_interaction {
     brdf_vec3 p;      /* the point, world space */
     brdf_vec3 ng;     /* geometric normal, unit, on the side that the shape faces */
     brdf_frame frame; /* shading frame */
+    brdf_real u;      /* texture coordinates; 0 where the scene has no textures */
+    brdf_real v;
 };
 
 static inline struct pt_primitive pt_load_primitive(struct pt_world w, brdf_int number)
@@ -38,6 +42,7 @@ static inline struct pt_primitive pt_load_primitive(struct pt_world w, brdf_int 
     primitive.flip = row.q3.a;
     primitive.radius = row.q3.b;
     primitive.light_pdf = row.q3.c;
+    primitive.mirrored = row.q3.d;
     return primitive;
 }
 
@@ -70,6 +75,47 @@ static inline brdf_frame pt_triangle_frame(struct pt_world w, struct pt_primitiv
     return frame;
 }
 
+/* From an angle around an axis [rad] to turns in [0, 1]. */
+static inline brdf_real pt_turns(brdf_real angle)
+{
+    brdf_real turns = angle * (0.5f * BRDF_1_PI);
+    return brdf_pick(turns < 0.0f, turns + 1.0f, turns);
+}
+
+/* Texture coordinates, as in Mitsuba 3: of a mesh those of its file or else (u, v) of the triangle;
+   of a rectangle (u, v); of a disk radius and turns; of a sphere turns and polar angle / pi. */
+static inline struct pt_interaction pt_find_uv(struct pt_world w, struct pt_primitive primitive,
+                                               struct pt_quad hit, struct pt_interaction at)
+{
+    BRDF_GLOBAL const struct pt_settings *settings = w.settings;
+    brdf_real radius = sqrtf(hit.b * hit.b + hit.c * hit.c);
+    brdf_mask disk = primitive.kind == PT_DISK;
+    at.u = brdf_pick(disk, radius, hit.b);
+    at.v = brdf_pick(disk, pt_turns(brdf_atan2(hit.c, hit.b)), hit.c);
+    if (PT_HAS(settings, PT_HAS_SHADING)) {
+        brdf_mask has = primitive.shading >= 0;
+        BRDF_GLOBAL const float *words = w.scene + settings->shading;
+        struct pt_row row = pt_load_row(words, brdf_pick_int(has, primitive.shading, 0) * PT_ROW);
+        brdf_real rest = 1.0f - hit.b - hit.c;
+        brdf_real u = row.q2.b * rest + row.q2.d * hit.b + row.q3.b * hit.c;
+        brdf_real v = row.q2.c * rest + row.q3.a * hit.b + row.q3.c * hit.c;
+        at.u = brdf_pick(has, u, at.u);
+        at.v = brdf_pick(has, v, at.v);
+    }
+    if (PT_HAS(settings, PT_HAS_SPHERES)) {
+        brdf_mask sphere = primitive.kind == PT_SPHERE;
+        brdf_vec3 out = brdf_normalize(brdf_sub(at.p, primitive.p));
+        brdf_vec3 up = brdf_normalize(brdf_cross(primitive.e1, primitive.e2));
+        brdf_real height = brdf_dot(out, up);
+        height = brdf_pick(primitive.mirrored > 0.0f, -height, height);
+        brdf_real turns =
+            pt_turns(brdf_atan2(brdf_dot(out, primitive.e2), brdf_dot(out, primitive.e1)));
+        at.u = brdf_pick(sphere, turns, at.u);
+        at.v = brdf_pick(sphere, brdf_acos(height) * BRDF_1_PI, at.v);
+    }
+    return at;
+}
+
 static inline struct pt_interaction pt_interact(struct pt_world w, struct pt_primitive primitive,
                                                 struct pt_ray ray, struct pt_quad hit)
 {
@@ -99,7 +145,9 @@ static inline struct pt_interaction pt_interact(struct pt_world w, struct pt_pri
     if (PT_HAS(settings, PT_HAS_SHADING)) {
         at.frame = pt_triangle_frame(w, primitive, hit.b, hit.c, at.frame);
     }
-    return at;
+    at.u = 0.0f;
+    at.v = 0.0f;
+    return PT_HAS(settings, PT_HAS_TEXTURES) ? pt_find_uv(w, primitive, hit, at) : at;
 }
 
 /*

@@ -19,15 +19,16 @@
 #define PT_SPHERE 3    /* p = centre; e1, e2 = its x and y axes, length = the radius */
 
 enum pt_primitive_word {
-    PT_P = 0,         /* 3 words: see above */
-    PT_E1 = 3,        /* 3 words */
-    PT_E2 = 6,        /* 3 words */
-    PT_KIND = 9,      /* int: PT_TRIANGLE ... */
-    PT_SURFACE = 10,  /* int: index of the surface */
-    PT_SHADING = 11,  /* int: row of normals and texture coordinates, or -1 (triangles only) */
-    PT_FLIP = 12,     /* float: 1 or -1, multiplies the normal e1 x e2 (sphere: outward) */
-    PT_RADIUS = 13,   /* float: of a sphere, else 0 */
-    PT_LIGHT_PDF = 14 /* float: probability that next-event estimation chooses it; 0 = no light */
+    PT_P = 0,          /* 3 words: see above */
+    PT_E1 = 3,         /* 3 words */
+    PT_E2 = 6,         /* 3 words */
+    PT_KIND = 9,       /* int: PT_TRIANGLE ... */
+    PT_SURFACE = 10,   /* int: index of the surface */
+    PT_SHADING = 11,   /* int: row of normals and texture coordinates, or -1 (triangles only) */
+    PT_FLIP = 12,      /* float: 1 or -1, multiplies the normal e1 x e2 (sphere: outward) */
+    PT_RADIUS = 13,    /* float: of a sphere, else 0 */
+    PT_LIGHT_PDF = 14, /* float: probability that next-event estimation chooses it; 0 = no light */
+    PT_MIRRORED = 15   /* float: of a sphere whose axes are left-handed 1, else 0 */
 };
 
 /* Shading of a triangle: what is interpolated over it. */
@@ -64,8 +65,9 @@ struct pt_surface {
     struct brdf_material material;
     float radiance[3]; /* 0 where it does not emit */
     int emits;
-    int variant; /* the specialised shading kernel: equal model, flags and choices */
-    int padding[3];
+    int variant;  /* the specialised shading kernel: equal model, flags, choices and bindings */
+    int bindings; /* texture_record.h: their first word in the scene array, if it has any */
+    int padding[2];
 };
 
 /* Features: what a scene has, as bits; kernels are compiled for exactly these. */
@@ -77,6 +79,8 @@ struct pt_surface {
 #define PT_HAS_MAP 64      /* an environment map */
 #define PT_HAS_BVH 128     /* enough primitives for a hierarchy */
 #define PT_HAS_SOBOL 256   /* Owen-scrambled Sobol; else independent random numbers */
+#define PT_HAS_TEXTURES 512
+#define PT_HAS_BITMAPS 1024 /* textures of that kind */
 
 /* Reconstruction filters. */
 #define PT_FILTER_BOX 0
@@ -107,6 +111,7 @@ struct pt_settings {
     int shading;
     int surfaces;
     int surface_count;
+    int textures; /* texture_record.h */
     int lights;
     int light_cdf; /* light_count + 1 words, from 0 to 1 */
     int light_count;

@@ -12,6 +12,7 @@
 
 #include "brdf/surface.h"
 #include "light.h"
+#include "texture.h"
 
 /* What the kernels of a variant have in common; constants there. */
 struct pt_variant {
@@ -19,6 +20,8 @@ struct pt_variant {
     unsigned flags;
     unsigned choices;
     int number;
+    unsigned textured; /* texture.h: bit i is set where a texture sets word i of the material */
+    unsigned colors;   /* and bit i here where it sets the two words behind, too */
 };
 
 /* The random number sets of a bounce; set 0 is the camera's. */
@@ -164,6 +167,10 @@ static inline void pt_shade(struct pt_world w, struct pt_pass pass, struct pt_va
 
     brdf_parameters p =
         brdf_parameters_load(variant.model, variant.choices, surface->material.word);
+    if (variant.textured) {
+        p = pt_textured_parameters(w, variant.model, variant.textured, variant.colors,
+                                   surface->bindings, at, p);
+    }
     BRDF_GLOBAL const float *table = w.tables + surface->material.table;
     brdf_vec3 wo = brdf_to_local(at.frame, brdf_negate(ray.d));
     int set = 1 + PT_SETS_PER_BOUNCE * depth;

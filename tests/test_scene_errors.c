@@ -92,7 +92,7 @@ static void unknown_names(void **state)
         {HEAD "<bsdf type=\"roughconductr\"/></scene>", 3, BRDF_UNKNOWN_NAME, "\"roughconductor\""},
         {HEAD "<emitter type=\"sunsky\"/></scene>", 3, BRDF_UNKNOWN_NAME, "envmap"},
         {HEAD "<emitter type=\"constnt\"/></scene>", 3, BRDF_UNKNOWN_NAME, "\"constant\""},
-        {HEAD "<texture type=\"bitmap\"/></scene>", 3, BRDF_UNSUPPORTED, "<texture>"},
+        {HEAD "<medium type=\"homogeneous\"/></scene>", 3, BRDF_UNSUPPORTED, "<medium>"},
         {HEAD "<include filename=\"a.xml\"/></scene>", 3, BRDF_UNSUPPORTED, "<include>"},
         {HEAD "<float name=\"x\" value=\"1\"/></scene>", 3, BRDF_UNKNOWN_NAME, "\"x\""},
         {HEAD "<film type=\"hdrfilm\"/></scene>", 3, BRDF_BAD_FILE, "film"},

@@ -54,13 +54,20 @@ union brdf_parameters {
 };
 typedef union brdf_parameters brdf_parameters;
 
+/* The values of a model's struct, which stand behind its choices. */
+static inline brdf_real *brdf_values_of(void *parameters, int choice_count)
+{
+    int *choice = (int *)parameters;
+    int lanes = (int)(sizeof(brdf_real) / sizeof(int));
+    return (brdf_real *)(void *)(choice + (choice_count + lanes - 1) / lanes * lanes);
+}
+
 /* One value for all lanes from each word, one int from each 4 bits: a model's struct, filled. */
 static inline void brdf_unpack(void *parameters, int choice_count, int word_count, unsigned choices,
                                BRDF_GLOBAL const float *word)
 {
     int *choice = (int *)parameters;
-    int lanes = (int)(sizeof(brdf_real) / sizeof(int));
-    brdf_real *value = (brdf_real *)(void *)(choice + (choice_count + lanes - 1) / lanes * lanes);
+    brdf_real *value = brdf_values_of(parameters, choice_count);
     BRDF_UNROLL
     for (int i = 0; i < choice_count; ++i) {
         choice[i] = (int)(choices >> (4 * i) & 15u);
@@ -86,6 +93,23 @@ static inline brdf_parameters brdf_parameters_load(unsigned model, unsigned choi
         break;
     }
     return p;
+}
+
+/* Replace what came from one word by a value for each lane, which must be in the parameter's range:
+   how a parameter varies over a surface. */
+static inline void brdf_parameters_set(brdf_parameters *p, unsigned model, int word,
+                                       brdf_real value)
+{
+    switch (model) {
+#define BRDF_MODEL(name, NAME, flags, summary, reference)                                          \
+    case BRDF_MODEL_##NAME:                                                                        \
+        brdf_values_of(&p->name, BRDF_##NAME##_CHOICES)[word] = value;                             \
+        break;
+#include "models.h"
+#undef BRDF_MODEL
+    default:
+        break;
+    }
 }
 
 /* f(wo, wi) [1/sr], without the cosine. */

@@ -126,9 +126,17 @@ static const struct image_format *format_by_content(const char *magic, long long
 brdf_status brdfcl_image_read(struct brdfcl_image *image, const char *path,
                               struct brdf_error *error)
 {
-    struct brdfcl_image_source source = {-1, 0, NULL};
+    int bits = 0;
+    return brdfcl_image_read_numbers(image, path, 0, &bits, error);
+}
+
+brdf_status brdfcl_image_read_numbers(struct brdfcl_image *image, const char *path, int raw,
+                                      int *bits, struct brdf_error *error)
+{
+    struct brdfcl_image_source source = {-1, 0, NULL, raw, bits};
     char magic[MAGIC_SIZE];
     memset(image, 0, sizeof *image);
+    *bits = 0;
     brdf_status status = source_open(&source, path, error);
     if (status != BRDF_OK)
         goto done;

@@ -16,7 +16,20 @@ struct brdfcl_image_source {
     int fd;           /* open for reading; regular, so that pread() works */
     long long size;   /* bytes */
     const char *path; /* for messages */
+    int raw;          /* PNG: do not undo the sRGB curve, make 0 .. 1 of the numbers as they are */
+    int *bits;        /* PNG: gets the bits of a channel, 8 or 16; may be NULL */
 };
+
+/*
+ * As brdfcl_image_read, for a picture that is numbers and not light: `raw` as above. *bits are
+ * those of a PNG's channel, 8 or 16, and 0 of OpenEXR. If they are 8, every float is one of
+ * brdfcl_image_codes.
+ */
+brdf_status brdfcl_image_read_numbers(struct brdfcl_image *image, const char *path, int raw,
+                                      int *bits, struct brdf_error *error);
+
+/* What the 256 numbers of 8 bits are as floats. */
+void brdfcl_image_codes(int raw, float table[256]);
 
 /* Refuse a size beyond the limits of image.h, or of nothing. */
 brdf_status brdfcl_image_size_check(const char *path, long long width, long long height,

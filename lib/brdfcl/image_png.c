@@ -119,18 +119,23 @@ static void ask_for_rgb(png_structp png)
     png_set_interlace_handling(png);
 }
 
+void brdfcl_image_codes(int raw, float table[256])
+{
+    for (int i = 0; i < 256; i++)
+        table[i] = (float)(raw ? i / 255.0 : srgb_decode(i / 255.0));
+}
+
 static void decode_pixels(const struct png_job *job, int depth, float *rgb, size_t count)
 {
     float table[256];
     if (depth == 16) {
         for (size_t i = 0; i < count; i++) {
             unsigned value = (unsigned)job->bytes[2 * i] << 8 | job->bytes[2 * i + 1];
-            rgb[i] = (float)srgb_decode(value / 65535.0);
+            rgb[i] = (float)(job->source->raw ? value / 65535.0 : srgb_decode(value / 65535.0));
         }
         return;
     }
-    for (int i = 0; i < 256; i++)
-        table[i] = (float)srgb_decode(i / 255.0);
+    brdfcl_image_codes(job->source->raw, table);
     for (size_t i = 0; i < count; i++)
         rgb[i] = table[job->bytes[i]];
 }
@@ -173,6 +178,8 @@ static brdf_status read_picture(struct png_job *job)
     status = brdfcl_image_create(job->target, width, height, job->error);
     if (status == BRDF_OK)
         decode_pixels(job, depth, job->target->rgb, (size_t)width * (size_t)height * 3);
+    if (job->source->bits)
+        *job->source->bits = depth;
     return status;
 }
 

@@ -19,7 +19,13 @@ void brdfcl_scene_destroy(struct brdfcl_scene *scene)
     for (size_t i = 0; i < scene->note_count; ++i) {
         free(scene->notes[i]);
     }
+    for (size_t i = 0; i < scene->texture_count; ++i) {
+        free(scene->textures[i].codes);
+        free(scene->textures[i].rgb);
+    }
     brdfcl_image_destroy(&scene->environment.image);
+    free(scene->textures);
+    free(scene->bindings);
     free(scene->primitives.words);
     free(scene->shading.words);
     free(scene->surfaces);

@@ -9,6 +9,7 @@
 #include <brdfcl/scene.h>
 
 #include "kernels/scene.h"
+#include "kernels/texture_record.h"
 
 enum scene_environment_kind { ENVIRONMENT_NONE, ENVIRONMENT_CONSTANT, ENVIRONMENT_MAP };
 
@@ -25,6 +26,24 @@ struct scene_surface {
     struct brdf_bsdf *bsdf; /* not owned: one of brdfcl_scene.bsdfs */
     float radiance[3];
     int emits;
+};
+
+/* A texture; of a bitmap also its texels, owned. */
+struct scene_texture {
+    struct pt_texture record; /* its places in the scene array are not known yet */
+    unsigned *codes;          /* one a texel: 8 bits a channel, red lowest; or NULL, then: */
+    float *rgb;               /* three a texel */
+    int raw;                  /* what the codes stand for, see brdfcl_image_codes */
+    float least;              /* of the values of all channels */
+    float most;
+};
+
+/* A texture sets a parameter of a bsdf. */
+struct scene_binding {
+    const struct brdf_bsdf *bsdf;
+    int word;  /* of its material */
+    int color; /* the two words behind it, too */
+    struct pt_binding record;
 };
 
 /* A growing array of 16-word records. */
@@ -59,11 +78,19 @@ struct brdfcl_scene {
     size_t surface_count;
     struct brdf_bsdf **bsdfs;
     size_t bsdf_count;
+    struct scene_texture *textures;
+    size_t texture_count;
+    struct scene_binding *bindings; /* those of a bsdf together, in the order of their words */
+    size_t binding_count;
     struct scene_environment environment;
     /* what the loader has to say: sampler mapped, triangles dropped; one line each, malloc'd */
     char **notes;
     size_t note_count;
     char *path;
 };
+
+/* The bindings of a bsdf, *count of them. scene_binding.c */
+const struct scene_binding *scene_bindings_of(const struct brdfcl_scene *scene,
+                                              const struct brdf_bsdf *bsdf, size_t *count);
 
 #endif

@@ -17,6 +17,7 @@ struct bsdf_draft {
     struct brdf_setting settings[BSDF_SETTINGS_MAX];
     char *paths[BSDF_SETTINGS_MAX];
     size_t count;
+    struct scene_bindings bindings; /* the parameters that textures set */
 };
 
 static brdf_status bsdf_fail_model(const struct scene_loader *loader, const struct xml_node *node,
@@ -42,6 +43,18 @@ static brdf_status bsdf_fail_parameter(const struct scene_loader *loader,
     }
     strncat(what, model->name, sizeof what - strlen(what) - 1);
     return scene_fail_unknown(loader, node, what, name, known, count);
+}
+
+/* Room for one more setting. */
+static brdf_status bsdf_claim(const struct scene_loader *loader, const struct xml_node *node,
+                              struct bsdf_draft *draft, struct brdf_setting **setting)
+{
+    if (draft->count == BSDF_SETTINGS_MAX) {
+        return scene_fail(loader, node, BRDF_BAD_FILE, "more than %d parameters",
+                          BSDF_SETTINGS_MAX);
+    }
+    *setting = &draft->settings[draft->count];
+    return BRDF_OK;
 }
 
 /* Here and not only in libbrdf, so that the message has the line of the parameter. */
@@ -131,11 +144,10 @@ static brdf_status bsdf_read_setting(const struct scene_loader *loader, const st
 {
     const char *name = xml_attribute_get(node, "name");
     const struct brdf_parameter_info *parameter = brdf_parameter_find(model, name);
-    struct brdf_setting *setting = &draft->settings[draft->count];
-    brdf_status status;
-    if (draft->count == BSDF_SETTINGS_MAX) {
-        return scene_fail(loader, node, BRDF_BAD_FILE, "more than %d parameters",
-                          BSDF_SETTINGS_MAX);
+    struct brdf_setting *setting = NULL;
+    brdf_status status = bsdf_claim(loader, node, draft, &setting);
+    if (status) {
+        return status;
     }
     if (!parameter && strcmp(name, "twosided") != 0) {
         return bsdf_fail_parameter(loader, node, model, name);
@@ -156,62 +168,31 @@ static brdf_status bsdf_read_setting(const struct scene_loader *loader, const st
     return status;
 }
 
-/* The scene's bsdf that has the same bits, if there is one. */
-static struct brdf_bsdf *bsdf_find(const struct brdfcl_scene *scene, const struct brdf_bsdf *wanted)
+static brdf_status bsdf_read_texture(struct scene_loader *loader, struct xml_node *child,
+                                     const struct brdf_model_info *model, struct bsdf_draft *draft)
 {
-    size_t words = 0;
-    const float *table = brdf_bsdf_table(wanted, &words);
-    for (size_t i = 0; i < scene->bsdf_count; ++i) {
-        size_t other_words = 0;
-        const float *other = brdf_bsdf_table(scene->bsdfs[i], &other_words);
-        if (memcmp(brdf_bsdf_material(scene->bsdfs[i]), brdf_bsdf_material(wanted),
-                   sizeof(struct brdf_material)) == 0 &&
-            words == other_words &&
-            (words == 0 || memcmp(table, other, words * sizeof *table) == 0)) {
-            return scene->bsdfs[i];
-        }
+    struct brdf_setting *setting = NULL;
+    brdf_status status = bsdf_claim(loader, child, draft, &setting);
+    if (!status) {
+        status = scene_binding_read(loader, child, model, &draft->bindings, setting);
+        ++draft->count;
     }
-    return NULL;
-}
-
-/* Hand a bsdf over to the scene; *bsdf becomes an equal one where there was one already. */
-static brdf_status bsdf_keep(struct scene_loader *loader, const struct xml_node *node,
-                             struct brdf_bsdf **bsdf)
-{
-    struct brdfcl_scene *scene = loader->scene;
-    struct brdf_bsdf *same = bsdf_find(scene, *bsdf);
-    if (same) {
-        brdf_bsdf_destroy(*bsdf);
-        *bsdf = same;
-        return BRDF_OK;
-    }
-    if (scene->bsdf_count == loader->bsdf_capacity) {
-        size_t capacity = 2 * loader->bsdf_capacity + 8;
-        struct brdf_bsdf **bsdfs = realloc(scene->bsdfs, capacity * sizeof *scene->bsdfs);
-        if (!bsdfs) {
-            brdf_bsdf_destroy(*bsdf);
-            return scene_fail_memory(loader, node);
-        }
-        scene->bsdfs = bsdfs;
-        loader->bsdf_capacity = capacity;
-    }
-    scene->bsdfs[scene->bsdf_count++] = *bsdf;
-    return BRDF_OK;
+    return status;
 }
 
 static brdf_status bsdf_make(struct scene_loader *loader, const struct xml_node *node,
-                             const char *model, const struct brdf_setting *settings, size_t count,
+                             const char *model, const struct bsdf_draft *draft,
                              struct brdf_bsdf **bsdf)
 {
     struct brdf_error inner;
     brdf_status status;
     memset(&inner, 0, sizeof inner);
-    status = brdf_bsdf_create_from(model, settings, count, bsdf, &inner);
+    status = brdf_bsdf_create_from(model, draft->settings, draft->count, bsdf, &inner);
     if (status) {
         inner.status = status;
         return scene_fail_inner(loader, node, &inner);
     }
-    return bsdf_keep(loader, node, bsdf);
+    return scene_bsdf_keep(loader, node, &draft->bindings, bsdf);
 }
 
 /* One model. `outer` is the "twosided" around it, or NULL. */
@@ -233,14 +214,17 @@ static brdf_status bsdf_read_model(struct scene_loader *loader, struct xml_node 
         enum xml_class kind = scene_grammar_class(child);
         if (kind == XML_PROPERTY) {
             status = bsdf_read_setting(loader, child, model, &draft);
+        } else if (kind != XML_OTHER &&
+                   strcmp(scene_reference_target(loader, child)->tag, "texture") == 0) {
+            status = bsdf_read_texture(loader, child, model, &draft);
         } else if (kind != XML_OTHER) {
             status = scene_fail(loader, child, BRDF_UNSUPPORTED,
-                                "a %s holds only numbers and names", type);
+                                "a %s holds only numbers, names and textures", type);
         }
     }
     if (!status) {
         draft.count = scene_mitsuba_assume(type, draft.settings, draft.count, BSDF_SETTINGS_MAX);
-        status = bsdf_make(loader, outer ? outer : node, type, draft.settings, draft.count, bsdf);
+        status = bsdf_make(loader, outer ? outer : node, type, &draft, bsdf);
     }
     for (size_t i = 0; i < BSDF_SETTINGS_MAX; ++i) {
         free(draft.paths[i]);
@@ -288,6 +272,8 @@ brdf_status scene_bsdf_read(struct scene_loader *loader, struct xml_node *node,
 brdf_status scene_bsdf_default(struct scene_loader *loader, const struct xml_node *node, int emits,
                                struct brdf_bsdf **bsdf)
 {
-    struct brdf_setting setting = brdf_setting_real("reflectance", emits ? 0.0f : 0.5f);
-    return bsdf_make(loader, node, "diffuse", &setting, 1, bsdf);
+    struct bsdf_draft draft;
+    memset(&draft, 0, sizeof draft);
+    draft.settings[draft.count++] = brdf_setting_real("reflectance", emits ? 0.0f : 0.5f);
+    return bsdf_make(loader, node, "diffuse", &draft, bsdf);
 }

@@ -21,6 +21,7 @@ static const struct grammar_rule grammar[] = {
     {"rfilter", XML_OBJECT, "type", "id|name"},
     {"shape", XML_OBJECT, "type", "id|name"},
     {"bsdf", XML_OBJECT, "type", "id|name"},
+    {"texture", XML_OBJECT, "type", "id|name"},
     {"emitter", XML_OBJECT, "type", "id|name"},
     {"float", XML_PROPERTY, "name|value", ""},
     {"integer", XML_PROPERTY, "name|value", ""},
@@ -41,8 +42,7 @@ static const struct grammar_rule grammar[] = {
 };
 
 /* Elements of Mitsuba that we know of and do not read. */
-static const char *const unsupported[] = {"texture", "medium", "phase", "volume",
-                                          "include", "alias",  "path"};
+static const char *const unsupported[] = {"medium", "phase", "volume", "include", "alias", "path"};
 
 #define COUNT(array) (sizeof(array) / sizeof((array)[0]))
 

@@ -62,7 +62,8 @@ static brdf_status scene_read_integrator(struct scene_loader *loader, struct xml
     return status;
 }
 
-/* Every bsdf (used or not: a mistake in it is one), shape and emitter, in the file's order. */
+/* Every bsdf and texture (used or not: a mistake in it is one), shape and emitter, in the file's
+   order. */
 static brdf_status scene_read_content(struct scene_loader *loader, struct xml_node *root)
 {
     struct xml_node *child = NULL;
@@ -70,8 +71,11 @@ static brdf_status scene_read_content(struct scene_loader *loader, struct xml_no
     brdf_status status = BRDF_OK;
     while (!status && (object = scene_object_next(loader, root, NULL, &child)) != NULL) {
         struct brdf_bsdf *bsdf = NULL;
+        int texture = 0;
         if (strcmp(object->tag, "bsdf") == 0) {
             status = scene_bsdf_read(loader, object, &bsdf);
+        } else if (strcmp(object->tag, "texture") == 0) {
+            status = scene_texture_read(loader, object, &texture);
         } else if (strcmp(object->tag, "shape") == 0) {
             status = scene_shape_read(loader, object);
         } else if (strcmp(object->tag, "emitter") == 0) {
@@ -100,7 +104,8 @@ static brdf_status scene_read(struct scene_loader *loader, const struct brdfcl_d
         status = scene_reference_resolve(loader);
     }
     if (!status) {
-        status = scene_slots_read(loader, root, NULL, 0, "integrator|sensor|bsdf|shape|emitter");
+        status =
+            scene_slots_read(loader, root, NULL, 0, "integrator|sensor|bsdf|texture|shape|emitter");
     }
     if (!status) {
         status = scene_read_integrator(loader, root);

@@ -8,6 +8,8 @@
 #ifndef BRDFCL_LIB_SCENE_LOADER_H
 #define BRDFCL_LIB_SCENE_LOADER_H
 
+#include <brdf/info.h>
+
 #include "scene.h"
 #include "scene_xml.h"
 
@@ -19,6 +21,8 @@ struct scene_loader {
     size_t id_count;
     size_t surface_capacity;
     size_t bsdf_capacity;
+    size_t texture_capacity;
+    size_t binding_capacity;
 };
 
 /* --- scene_report.c: what there is to say --- */
@@ -100,6 +104,7 @@ enum scene_slot_kind {
     SLOT_STRING,   /* const char *, lives as long as the document */
     SLOT_POINT,    /* double[3] */
     SLOT_RADIANCE, /* double[3]: <rgb>, <spectrum>, <float>; not negative */
+    SLOT_COLOR,    /* double[3]: the same, but not light */
     SLOT_TRANSFORM /* double[16], row-major */
 };
 
@@ -149,6 +154,38 @@ brdf_status scene_transform_read(const struct scene_loader *loader, const struct
 /* A bsdf, made once and shared; owned by the scene. */
 brdf_status scene_bsdf_read(struct scene_loader *loader, struct xml_node *node,
                             struct brdf_bsdf **bsdf);
+
+/*
+ * The number of a texture's element (a <ref> resolved already), read once and shared. What sets a
+ * parameter by it also looks at least and most of brdfcl_scene.textures[*number].
+ */
+brdf_status scene_texture_read(struct scene_loader *loader, struct xml_node *node, int *number);
+
+#define SCENE_BINDINGS_MAX BRDF_MATERIAL_WORDS
+
+/* The textured parameters of a bsdf that is being read, in the order of their words. */
+struct scene_bindings {
+    struct scene_binding list[SCENE_BINDINGS_MAX];
+    size_t count;
+};
+
+/*
+ * A <texture> or a <ref> to one among the children of a bsdf: note what it sets. *stand_in is a
+ * setting with which the model takes the parameter as given; its value is never looked at.
+ */
+brdf_status scene_binding_read(struct scene_loader *loader, struct xml_node *child,
+                               const struct brdf_model_info *model, struct scene_bindings *bindings,
+                               struct brdf_setting *stand_in);
+
+/* Tie them to the bsdf that was made, which must not be shared with one that has others. */
+brdf_status scene_bindings_keep(struct scene_loader *loader, const struct xml_node *node,
+                                const struct brdf_bsdf *bsdf,
+                                const struct scene_bindings *bindings);
+
+/* Hand a new bsdf over to the scene, also if this fails; *bsdf becomes an equal one where there was
+   one already. scene_bsdf_keep.c */
+brdf_status scene_bsdf_keep(struct scene_loader *loader, const struct xml_node *node,
+                            const struct scene_bindings *bindings, struct brdf_bsdf **bsdf);
 
 /* Add to a model's settings what Mitsuba 3's plugin of that name assumes where the file is silent
    and our model assumes something else; the new count, at most `max`. */

@@ -127,7 +127,8 @@ static brdf_status shape_sphere(struct scene_loader *loader, const struct shape_
         shape_put(row, axis == 0 ? PT_E1 : PT_E2, v);
     }
     row[PT_RADIUS] = (float)(scale * radius);
-    row[PT_FLIP] = (scene_matrix_determinant(m) < 0.0) ^ shape->flip_normals ? -1.0f : 1.0f;
+    row[PT_MIRRORED] = scene_matrix_determinant(m) < 0.0 ? 1.0f : 0.0f;
+    row[PT_FLIP] = (row[PT_MIRRORED] > 0.0f) ^ shape->flip_normals ? -1.0f : 1.0f;
     if (!(row[PT_RADIUS] > 0.0f && row[PT_RADIUS] <= FLT_MAX)) {
         return scene_fail(loader, shape->node, BRDF_OUT_OF_RANGE, "the radius becomes %g",
                           scale * radius);

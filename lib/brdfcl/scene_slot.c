@@ -103,11 +103,12 @@ static brdf_status slot_read_boolean(const struct scene_loader *loader, const st
     return BRDF_OK;
 }
 
-static brdf_status slot_read_radiance(const struct scene_loader *loader,
-                                      const struct xml_node *node, struct scene_slot *slot)
+static brdf_status slot_read_color(const struct scene_loader *loader, const struct xml_node *node,
+                                   struct scene_slot *slot)
 {
     double *color = slot->value;
     brdf_status status;
+    int is_light = slot->kind == SLOT_RADIANCE;
     int is_spectrum = strcmp(node->tag, "spectrum") == 0;
     if (!scene_list_has("rgb|spectrum|float|integer", node->tag)) {
         return slot_fail_type(loader, node, slot, "rgb");
@@ -120,11 +121,11 @@ static brdf_status slot_read_radiance(const struct scene_loader *loader,
         color[2] = color[0];
     }
     for (int i = 0; i < 3 && !status; ++i) {
-        if (color[i] < 0.0) {
+        if (is_light && color[i] < 0.0) {
             status = scene_fail(loader, node, BRDF_OUT_OF_RANGE, "%s is negative: %s", slot->name,
                                 xml_attribute_get(node, "value"));
         }
-        color[i] *= is_spectrum ? slot_equal_energy[i] : 1.0;
+        color[i] *= is_light && is_spectrum ? slot_equal_energy[i] : 1.0;
     }
     return status;
 }
@@ -156,7 +157,8 @@ static brdf_status slot_read(const struct scene_loader *loader, const struct xml
         }
         return scene_value_vector(loader, node, 0.0, 1, slot->value);
     case SLOT_RADIANCE:
-        return slot_read_radiance(loader, node, slot);
+    case SLOT_COLOR:
+        return slot_read_color(loader, node, slot);
     case SLOT_TRANSFORM:
         break;
     }

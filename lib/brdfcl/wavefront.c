@@ -32,14 +32,15 @@ static char *program_text(const struct world *world)
             "    __global float *state, struct pt_pass pass, int depth)\n"
             "{\n"
             "    struct pt_world w = pt_world_make(settings, scene, tables, state);\n"
-            "    struct pt_variant variant = {%s, 0x%xu, 0x%xu, %d};\n"
+            "    struct pt_variant variant = {%s, 0x%xu, 0x%xu, %d, 0x%xu, 0x%xu};\n"
             "    int packet = (int)get_global_id(0);\n"
             "    if (packet < w.queues[PT_VARIANTS + %d]) {\n"
             "        pt_shade(w, pass, variant, w.queues[settings->variant_first + %d] + packet,\n"
             "                 depth);\n"
             "    }\n"
             "}\n",
-            v, opencl_model_tag(variant->model), variant->flags, variant->choices, v, v, v);
+            v, opencl_model_tag(variant->model), variant->flags, variant->choices, v,
+            variant->textured, variant->colors, v, v);
     }
     return text;
 }

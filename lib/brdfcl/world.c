@@ -228,6 +228,9 @@ brdf_status world_create(const struct brdfcl_scene *scene, int lanes, int pool, 
 
     brdf_status status = append_geometry(scene, world, &words, error);
     if (status == BRDF_OK) {
+        status = world_textures(scene, world, &words, error);
+    }
+    if (status == BRDF_OK) {
         status = world_surfaces(scene, world, &words, error);
     }
     if (status == BRDF_OK) {

@@ -15,6 +15,8 @@ struct world_variant {
     unsigned model;
     unsigned flags;
     unsigned choices;
+    unsigned textured; /* kernels/texture.h */
+    unsigned colors;
     int surfaces; /* how many surfaces are shaded by it */
 };
 
@@ -57,12 +59,20 @@ brdf_status world_append(struct world_words *words, const float *add, size_t cou
 
 /* The parts, each in a file of its own; they fill in their settings. */
 void world_camera(const struct brdfcl_scene *scene, struct pt_settings *settings);
+brdf_status world_textures(const struct brdfcl_scene *scene, struct world *world,
+                           struct world_words *words, struct brdf_error *error);
 brdf_status world_surfaces(const struct brdfcl_scene *scene, struct world *world,
                            struct world_words *words, struct brdf_error *error);
 brdf_status world_lights(const struct brdfcl_scene *scene, struct world *world,
                          struct world_words *words, struct brdf_error *error);
 brdf_status world_environment(const struct brdfcl_scene *scene, struct world *world,
                               struct world_words *words, struct brdf_error *error);
+
+/* The bindings of a bsdf: their first word, which of the material's words they set, and which of
+   those begin a colour. */
+brdf_status world_bindings(const struct brdfcl_scene *scene, const struct brdf_bsdf *bsdf,
+                           struct world_words *words, int *first, unsigned *textured,
+                           unsigned *colors, struct brdf_error *error);
 
 /* Relative luminance of linear Rec. 709, by which lights and pixels are chosen. */
 double world_luminance(const float *rgb);

@@ -1,20 +1,21 @@
 /*
  * world_surfaces.c - surfaces with their materials, the tables of measured ones, and the variants:
- * surfaces of equal model, flags and choices are shaded by one kernel.
+ * surfaces of equal model, flags, choices and textured parameters are shaded by one kernel.
  */
 #include <stdlib.h>
 #include <string.h>
 
 #include "world.h"
 
-/* The variant of a material, added if it is new; -1 if there are too many. */
-static int find_variant(struct world *world, const struct brdf_material *material)
+/* The variant like this one, added if it is new; -1 if there are too many. */
+static int find_variant(struct world *world, const struct world_variant *wanted)
 {
     int count = world->settings.variant_count;
     for (int v = 0; v < count; ++v) {
         struct world_variant *variant = &world->variants[v];
-        if (variant->model == material->model && variant->flags == material->flags &&
-            variant->choices == material->choices) {
+        if (variant->model == wanted->model && variant->flags == wanted->flags &&
+            variant->choices == wanted->choices && variant->textured == wanted->textured &&
+            variant->colors == wanted->colors) {
             variant->surfaces += 1;
             return v;
         }
@@ -22,10 +23,7 @@ static int find_variant(struct world *world, const struct brdf_material *materia
     if (count == PT_MAX_VARIANTS - 1) { /* one is kept for "missed" */
         return -1;
     }
-    world->variants[count].model = material->model;
-    world->variants[count].flags = material->flags;
-    world->variants[count].choices = material->choices;
-    world->variants[count].surfaces = 1;
+    world->variants[count] = *wanted;
     world->settings.variant_count = count + 1;
     return count;
 }
@@ -91,6 +89,36 @@ static unsigned table_of(const struct brdfcl_scene *scene, const struct brdf_bsd
     return 0u;
 }
 
+static brdf_status put_surface(const struct brdfcl_scene *scene, struct world *world,
+                               struct world_words *words, size_t number,
+                               const unsigned *table_of_bsdf, struct brdf_error *error)
+{
+    const struct scene_surface *from = &scene->surfaces[number];
+    struct pt_surface surface;
+    memset(&surface, 0, sizeof surface);
+    surface.material = *brdf_bsdf_material(from->bsdf);
+    surface.material.table += table_of(scene, from->bsdf, table_of_bsdf);
+    surface.emits = from->emits;
+    memcpy(surface.radiance, from->radiance, sizeof surface.radiance);
+    struct world_variant variant = {
+        surface.material.model, surface.material.flags, surface.material.choices, 0u, 0u, 1};
+    brdf_status status = world_bindings(scene, from->bsdf, words, &surface.bindings,
+                                        &variant.textured, &variant.colors, error);
+    if (status != BRDF_OK) {
+        return status;
+    }
+    surface.variant = find_variant(world, &variant);
+    if (surface.variant < 0) {
+        return brdf_fail(error, BRDF_UNSUPPORTED,
+                         "more than %d different kinds of material in one scene",
+                         PT_MAX_VARIANTS - 1);
+    }
+    size_t surface_words = sizeof surface / sizeof(float);
+    memcpy(words->words + world->settings.surfaces + number * surface_words, &surface,
+           sizeof surface);
+    return BRDF_OK;
+}
+
 brdf_status world_surfaces(const struct brdfcl_scene *scene, struct world *world,
                            struct world_words *words, struct brdf_error *error)
 {
@@ -105,20 +133,7 @@ brdf_status world_surfaces(const struct brdfcl_scene *scene, struct world *world
                               &settings->surfaces, error);
     }
     for (size_t i = 0; i < scene->surface_count && status == BRDF_OK; ++i) {
-        const struct scene_surface *from = &scene->surfaces[i];
-        struct pt_surface surface;
-        memset(&surface, 0, sizeof surface);
-        surface.material = *brdf_bsdf_material(from->bsdf);
-        surface.material.table += table_of(scene, from->bsdf, table_of_bsdf);
-        surface.emits = from->emits;
-        memcpy(surface.radiance, from->radiance, sizeof surface.radiance);
-        surface.variant = find_variant(world, &surface.material);
-        if (surface.variant < 0) {
-            status = brdf_fail(error, BRDF_UNSUPPORTED,
-                               "more than %d different kinds of material in one scene",
-                               PT_MAX_VARIANTS - 1);
-        }
-        memcpy(words->words + settings->surfaces + i * surface_words, &surface, sizeof surface);
+        status = put_surface(scene, world, words, i, table_of_bsdf, error);
     }
     /* The last variant is for paths that met nothing. */
     world->variants[settings->variant_count].surfaces = 1;
