@@ -57,4 +57,13 @@ static inline brdf_rgb brdf_fresnel_conductor(brdf_real cos_i, brdf_rgb eta, brd
                          brdf_fresnel_conductor_one(cos_i, eta.b, k.b));
 }
 
+/* What is reflected where `normal` is under a right angle, nearly [Schlick 1994, eq. 15]. */
+static inline brdf_rgb brdf_fresnel_schlick(brdf_real cos_i, brdf_rgb normal)
+{
+    brdf_real x = 1.0f - cos_i;
+    brdf_real x2 = x * x;
+    brdf_real rise = x2 * x2 * x;
+    return brdf_rgb_add(brdf_rgb_scale(normal, 1.0f - rise), brdf_gray(rise));
+}
+
 #endif

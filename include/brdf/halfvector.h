@@ -70,12 +70,12 @@ static inline brdf_real brdf_half_power(struct brdf_half h, brdf_real n)
 
 /*
  * A half vector whose cosine with the normal is u^(1/k), at the azimuth of the unit vector
- * (cos_phi, sin_phi). With u uniform its density is k / (2 pi) cos^(k - 1) [1/sr]. k >= 1.
+ * (cos_phi, sin_phi). With u uniform its density is k / (2 pi) cos^(k - 1) [1/sr]. k >= 0.5.
  */
 static inline brdf_vec3 brdf_half_sample_power(brdf_real k, brdf_real u, brdf_real cos_phi,
                                                brdf_real sin_phi)
 {
-    brdf_real minus_log = -brdf_log(brdf_max(u, 1e-12f)) / k;
+    brdf_real minus_log = brdf_min(-brdf_log(brdf_max(u, 1e-12f)) / k, 40.0f);
     brdf_real sine = sqrtf(brdf_1_minus_exp(2.0f * minus_log));
     return brdf_vec3_make(sine * cos_phi, sine * sin_phi, brdf_exp(-minus_log));
 }
@@ -90,6 +90,14 @@ static inline brdf_vec3 brdf_half_sample_slopes(brdf_real alpha_u, brdf_real alp
     brdf_real radius = sqrtf(-brdf_log(brdf_max(u, 1e-12f)));
     struct brdf_sincos turn = brdf_sincos_2pi(v);
     return brdf_vec3_make(alpha_u * radius * turn.cos, alpha_v * radius * turn.sin, 1.0f);
+}
+
+/* Density of normals with Gaussian slopes, isotropic: exp(-tan^2 / alpha^2) / (pi alpha^2 cos^4).
+ */
+static inline brdf_real brdf_half_beckmann(struct brdf_half h, brdf_real alpha)
+{
+    brdf_real alpha2 = alpha * alpha;
+    return brdf_exp(-h.tan2 / alpha2) * brdf_sqr(1.0f + h.tan2) / (BRDF_PI * alpha2);
 }
 
 /*

@@ -80,6 +80,13 @@ BRDF_API int brdf_parameter_place(const struct brdf_model_info *model,
 BRDF_API int brdf_parameter_item(const struct brdf_parameter_info *parameter, int number,
                                  char *item, size_t size);
 
+/*
+ * Why the options that `choices` holds (model.h) cannot go together, as a sentence written to
+ * `text`, at most `size` bytes with the terminator; NULL if they can.
+ */
+BRDF_API const char *brdf_choices_refused(const struct brdf_model_info *model, unsigned choices,
+                                          char *text, size_t size);
+
 /* The kind in small letters: "choice", "real", ...; "unknown" if it is none of the above. */
 BRDF_API const char *brdf_kind_name(int kind);
 

@@ -7,14 +7,32 @@
 #ifndef BRDF_MICROFACET_H
 #define BRDF_MICROFACET_H
 
-#include "math.h"
-#include "vec.h"
+#include "halfvector.h"
 
 #define BRDF_BECKMANN 0
 #define BRDF_GGX 1
+#define BRDF_BLINN 2
 
 #define BRDF_MASKING_CORRELATED 0
 #define BRDF_MASKING_SEPARABLE 1
+
+/*
+ * cos^n of the angle between h and the normal over its integral with the cosine, (n + 2) / (2 pi),
+ * with the exponent that is as rough as Beckmann's alpha: n = 2 / alpha^2 - 2 [Blinn 1977; Walter
+ * et al. 2007, section 5.2]. Along an azimuth n follows the ellipse of both alphas [Ashikhmin and
+ * Shirley 2000]. Above alpha = 1, n is negative, down to -1.5.
+ */
+static inline brdf_real brdf_blinn_d(brdf_vec3 h, brdf_real alpha_u, brdf_real alpha_v)
+{
+    brdf_real x = h.x / alpha_u;
+    brdf_real y = h.y / alpha_v;
+    brdf_real sine2 = h.x * h.x + h.y * h.y;
+    brdf_mask tilted = sine2 > 1e-30f;
+    brdf_real half_n = (x * x + y * y) / brdf_pick(tilted, sine2, 1.0f) - 1.0f;
+    brdf_real tan2 = sine2 / brdf_max(h.z * h.z, 1e-12f);
+    brdf_real power = brdf_pick(tilted, brdf_exp(-half_n * brdf_log_1_plus(tan2)), 1.0f);
+    return power / (BRDF_PI * alpha_u * alpha_v);
+}
 
 /*
  * Density of normals D(h) [1/sr], with integral D(h) cos h dh = 1.
@@ -27,6 +45,9 @@ static inline brdf_real brdf_microfacet_d(int distribution, brdf_vec3 h, brdf_re
     brdf_real x = h.x / alpha_u;
     brdf_real y = h.y / alpha_v;
     brdf_real slope2 = x * x + y * y;
+    if (distribution == BRDF_BLINN) {
+        return brdf_blinn_d(h, alpha_u, alpha_v);
+    }
     if (distribution == BRDF_GGX) {
         brdf_real s = slope2 + h.z * h.z;
         return 1.0f / (BRDF_PI * alpha_u * alpha_v * (s * s));
@@ -39,7 +60,7 @@ static inline brdf_real brdf_microfacet_d(int distribution, brdf_vec3 h, brdf_re
  * The projected area of all facets that face w, hidden ones included, per area of surface:
  * cos(w) (1 + Lambda(w)) with the Lambda of Smith [Heitz 2014, eq. 72 and 66]. In this form nothing
  * is infinite at grazing. What is seen of it is cos(w), so masking of one direction is
- * G1 = cos(w) / area(w).
+ * G1 = cos(w) / area(w). Blinn's has no closed form: Beckmann's stands for it, as in Walter et al.
  */
 static inline brdf_real brdf_microfacet_area(int distribution, brdf_vec3 w, brdf_real alpha_u,
                                              brdf_real alpha_v)

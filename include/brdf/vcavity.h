@@ -25,20 +25,23 @@ static inline brdf_real brdf_vcavity_visibility(struct brdf_half h, brdf_real co
     return brdf_min(open, masked);
 }
 
-/*
- * Density [1/sr] of wi where h is a visible normal: G1(wo) D(h) / (4 cos(wo)), given D(h); G1 is
- * the second of the three numbers in G, at most 1.
- */
+/* G1(wo) / cos(wo): the part of the normals h that wo sees, G1 being the second number in G. */
+static inline brdf_real brdf_vcavity_seen(struct brdf_half h, brdf_real cos_o)
+{
+    return brdf_min(1.0f / brdf_max(cos_o, 1e-10f), brdf_vcavity_slope(h));
+}
+
+/* Density [1/sr] of wi where h is a visible normal: G1(wo) D(h) / (4 cos(wo)), given D(h). */
 static inline brdf_real brdf_vcavity_pdf(struct brdf_half h, brdf_real cos_o, brdf_real d)
 {
-    return 0.25f * d * brdf_min(1.0f / brdf_max(cos_o, 1e-10f), brdf_vcavity_slope(h));
+    return 0.25f * d * brdf_vcavity_seen(h, cos_o);
 }
 
 /* G / G1(wo) <= 1: the weight of a visible normal, without Fresnel. */
 static inline brdf_real brdf_vcavity_weight(struct brdf_half h, brdf_real cos_o, brdf_real cos_i)
 {
-    brdf_real k = brdf_vcavity_slope(h);
-    return brdf_min(k * brdf_max(cos_i, 0.0f) / brdf_clamp(k * cos_o, 1e-20f, 1.0f), 1.0f);
+    brdf_real both = brdf_vcavity_visibility(h, cos_o, cos_i) * brdf_max(cos_i, 0.0f);
+    return brdf_min(both / brdf_max(brdf_vcavity_seen(h, cos_o), 1e-20f), 1.0f);
 }
 
 /*

@@ -131,6 +131,11 @@ static brdf_status complete(struct brdf_draft *d)
                 brdf_draft_refuse(d, BRDF_BAD_ARGUMENT, "%s is missing: %s", p->name, p->meaning);
         }
     }
+    char reason[300];
+    if (!status &&
+        brdf_choices_refused(d->model, d->bsdf->material.choices, reason, sizeof reason)) {
+        status = brdf_draft_refuse(d, BRDF_BAD_ARGUMENT, "%s", reason);
+    }
     return status;
 }
 

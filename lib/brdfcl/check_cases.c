@@ -135,50 +135,6 @@ static float value_make(struct brdfcl_random *random, const struct brdf_paramete
     }
 }
 
-static int option_count(const struct brdf_parameter_info *choice)
-{
-    char item[64];
-    int count = 0;
-    while (brdf_parameter_item(choice, count, item, sizeof item)) {
-        ++count;
-    }
-    return count;
-}
-
-int brdfcl_check_variant_count(const struct brdf_model_info *model)
-{
-    int count = 1;
-    for (size_t i = 0; i < model->parameter_count; ++i) {
-        if (model->parameters[i].kind == BRDF_KIND_CHOICE) {
-            count *= option_count(&model->parameters[i]);
-        }
-    }
-    return count == 1 && !(model->flags & BRDF_TRANSMISSION) ? 2 : count;
-}
-
-void brdfcl_check_material_vary(struct brdf_material *material, const struct brdf_model_info *model,
-                                int variant)
-{
-    int sum = 0;
-    for (size_t i = 0; i < model->parameter_count; ++i) {
-        const struct brdf_parameter_info *parameter = &model->parameters[i];
-        if (parameter->kind == BRDF_KIND_CHOICE) {
-            int shift = 4 * brdf_parameter_place(model, parameter);
-            int options = option_count(parameter);
-            int option = variant % options;
-            variant /= options;
-            sum += option;
-            material->choices &= ~(15u << shift);
-            material->choices |= (unsigned)option << shift;
-        }
-    }
-    /* Mirroring is for one-sided models; one that transmits has its own other side. */
-    material->flags &= ~BRDF_TWOSIDED;
-    if (!(model->flags & BRDF_TRANSMISSION) && (sum + variant) % 2) {
-        material->flags |= BRDF_TWOSIDED;
-    }
-}
-
 void brdfcl_check_material_change(struct brdf_material *material,
                                   const struct brdf_model_info *model, struct brdfcl_random *random)
 {

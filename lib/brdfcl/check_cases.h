@@ -28,8 +28,10 @@ struct brdfcl_check_input brdfcl_check_input_make(struct brdfcl_random *random);
 
 /*
  * A variant is what a kernel is compiled for: the options that are chosen, and whether mirrored.
- * There are as many as there are combinations of options, at least two where mirroring is possible;
- * every option, and both with and without mirroring, is met in some variant.
+ * There are as many as there are combinations of options, without those that do not go together
+ * (info.h), and at least two where mirroring is possible. Of more than 16, a selection: every two
+ * options of two choices that go together are met in some variant; so are both with and without
+ * mirroring. check_choices.c
  */
 int brdfcl_check_variant_count(const struct brdf_model_info *model);
 

@@ -28,12 +28,6 @@ struct brdf_cooktorrance {
     BRDF_COOKTORRANCE_PARAMETERS(BRDF_FIELD)
 };
 
-static inline brdf_real brdf_cooktorrance_d(struct brdf_cooktorrance p, struct brdf_half h)
-{
-    brdf_real alpha2 = p.alpha * p.alpha;
-    return brdf_exp(-h.tan2 / alpha2) * brdf_sqr(1.0f + h.tan2) / (BRDF_PI * alpha2);
-}
-
 /* What one facet reflects under an angle with this cosine, over 4 times the denominator. */
 static inline brdf_rgb brdf_cooktorrance_facet(struct brdf_cooktorrance p, brdf_real cosine)
 {
@@ -54,7 +48,8 @@ static inline brdf_rgb brdf_cooktorrance_eval(struct brdf_cooktorrance p, brdf_v
     (void)table;
     brdf_mask above = (wo.z > 0.0f) & (wi.z > 0.0f);
     struct brdf_half h = brdf_half_make(wo, wi);
-    brdf_real lobe = 0.25f * brdf_cooktorrance_d(p, h) * brdf_vcavity_visibility(h, wo.z, wi.z);
+    brdf_real lobe =
+        0.25f * brdf_half_beckmann(h, p.alpha) * brdf_vcavity_visibility(h, wo.z, wi.z);
     brdf_rgb facet = brdf_cooktorrance_facet(p, brdf_half_cosine(h));
     brdf_rgb f =
         brdf_rgb_add(brdf_rgb_scale(p.diffuse_reflectance, BRDF_1_PI), brdf_rgb_scale(facet, lobe));
@@ -67,7 +62,7 @@ static inline brdf_real brdf_cooktorrance_pdf(struct brdf_cooktorrance p, brdf_v
     (void)table;
     brdf_mask above = (wo.z > 0.0f) & (wi.z > 0.0f);
     struct brdf_half h = brdf_half_make(wo, wi);
-    brdf_real lobe = brdf_vcavity_pdf(h, wo.z, brdf_cooktorrance_d(p, h));
+    brdf_real lobe = brdf_vcavity_pdf(h, wo.z, brdf_half_beckmann(h, p.alpha));
     brdf_real pdf = brdf_mixture_pdf(brdf_cooktorrance_share(p, wo.z), lobe, wi);
     return brdf_pick(above, pdf, 0.0f);
 }
@@ -86,7 +81,7 @@ static inline struct brdf_sample brdf_cooktorrance_sample(struct brdf_cooktorran
     brdf_vec3 mirrored = brdf_half_mirror(wo, normal);
     brdf_vec3 wi = brdf_vec3_pick(is_lobe, mirrored, brdf_warp_cosine(u.x, u.y));
     struct brdf_half h = brdf_half_make(wo, wi);
-    brdf_real lobe_pdf = brdf_vcavity_pdf(h, wo.z, brdf_cooktorrance_d(p, h));
+    brdf_real lobe_pdf = brdf_vcavity_pdf(h, wo.z, brdf_half_beckmann(h, p.alpha));
     brdf_rgb weight = brdf_rgb_scale(brdf_cooktorrance_facet(p, brdf_half_cosine(h)),
                                      brdf_vcavity_weight(h, wo.z, wi.z));
     return brdf_mixture_sample(wo, wi, share, lobe_pdf, weight, p.diffuse_reflectance);

@@ -35,8 +35,7 @@ struct brdf_torrancesparrow {
 static inline brdf_real brdf_torrancesparrow_d(struct brdf_torrancesparrow p, struct brdf_half h)
 {
     if (p.distribution == 1) {
-        brdf_real alpha2 = p.alpha * p.alpha;
-        return brdf_exp(-h.tan2 / alpha2) * brdf_sqr(1.0f + h.tan2) / (BRDF_PI * alpha2);
+        return brdf_half_beckmann(h, p.alpha);
     }
     return (p.exponent + 2.0f) * (0.5f * BRDF_1_PI) * brdf_half_power(h, p.exponent);
 }
