@@ -61,8 +61,8 @@ static void choices_and_flags(void **state)
     (void)state;
     struct brdf_bsdf *plain = create("roughconductor:distribution=beckmann,masking=separable");
     struct brdf_bsdf *both = create("roughconductor:distribution=ggx,masking=separable,twosided");
-    assert_int_equal(brdf_bsdf_material(plain)->choices, 0x10);
-    assert_int_equal(brdf_bsdf_material(both)->choices, 0x11);
+    assert_int_equal(brdf_bsdf_material(plain)->choices, 0x1010);
+    assert_int_equal(brdf_bsdf_material(both)->choices, 0x1011);
     assert_int_equal(brdf_bsdf_material(both)->model, BRDF_MODEL_ROUGHCONDUCTOR);
     assert_int_equal(brdf_bsdf_material(both)->flags,
                      brdf_model_info(BRDF_MODEL_ROUGHCONDUCTOR)->flags | BRDF_TWOSIDED);
@@ -133,7 +133,8 @@ static const struct {
      {"alpha_v", "by alpha and alpha_v"}},
     {"roughconductor:alpha_u=0.1,alpha=0.2", BRDF_BAD_ARGUMENT, {"alpha_u", "second time"}},
     {"roughconductor:distribution=gxg", BRDF_UNKNOWN_NAME, {"did you mean \"ggx\""}},
-    {"roughconductor:distribution=blinn", BRDF_UNKNOWN_NAME, {"known: beckmann, ggx"}},
+    {"roughconductor:distribution=blinn", BRDF_BAD_ARGUMENT, {"closed form", "take rational"}},
+    {"roughconductor:distribution=phong", BRDF_UNKNOWN_NAME, {"known: beckmann, ggx, blinn"}},
     {"roughconductor:material=cu", BRDF_UNKNOWN_NAME, {"did you mean \"Cu\""}},
     {"roughconductor:material=unobtanium", BRDF_UNKNOWN_NAME, {"known: Ag, Al, Au"}},
     {"roughconductor:material=Cu,eta=1", BRDF_BAD_ARGUMENT, {"by material and eta"}},

@@ -45,7 +45,7 @@ static inline int brdf_facets_sampler(struct brdf_facets facets)
 /*
  * brdf_microfacet_area by the rational approximation of Beckmann's G1 [Walter et al. 2007, eq. 27],
  * with s = 1 / (alpha tan(w)): cos(w) / G1(s), in a form that is finite at grazing. The error of G1
- * is below 0.35 %.
+ * is below 0.35 %. Walter et al. use it for Blinn's distribution too.
  */
 static inline brdf_real brdf_facets_area_rational(brdf_vec3 w, brdf_real alpha_u, brdf_real alpha_v)
 {

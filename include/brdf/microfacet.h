@@ -60,7 +60,7 @@ static inline brdf_real brdf_microfacet_d(int distribution, brdf_vec3 h, brdf_re
  * The projected area of all facets that face w, hidden ones included, per area of surface:
  * cos(w) (1 + Lambda(w)) with the Lambda of Smith [Heitz 2014, eq. 72 and 66]. In this form nothing
  * is infinite at grazing. What is seen of it is cos(w), so masking of one direction is
- * G1 = cos(w) / area(w). Blinn's has no closed form: Beckmann's stands for it, as in Walter et al.
+ * G1 = cos(w) / area(w). Blinn's has no closed form.
  */
 static inline brdf_real brdf_microfacet_area(int distribution, brdf_vec3 w, brdf_real alpha_u,
                                              brdf_real alpha_v)

@@ -19,6 +19,12 @@ static const struct exclusion exclusions[] = {
     {BRDF_MODEL_ROUGHCONDUCTOR, "masking", "rational", "distribution", "ggx",
      "the rational approximation is that of Beckmann's masking; for ggx take separable, which is "
      "exact"},
+    {BRDF_MODEL_ROUGHCONDUCTOR, "masking", "correlated", "distribution", "blinn",
+     "Smith's masking of it has no closed form; take rational, Beckmann's in its place, or "
+     "vcavity"},
+    {BRDF_MODEL_ROUGHCONDUCTOR, "masking", "separable", "distribution", "blinn",
+     "Smith's masking of it has no closed form; take rational, Beckmann's in its place, or "
+     "vcavity"},
 };
 
 static int has_option(const struct brdf_model_info *model, unsigned choices, const char *name,

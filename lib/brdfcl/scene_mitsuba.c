@@ -14,23 +14,32 @@ struct assumption {
     const char *name;
     const char *value;
     const char *unless[UNLESS_MAX];
+    const char *where_ggx; /* the value where the file says distribution = ggx; NULL: the same */
 };
 
 static const struct assumption assumptions[] = {
-    {"roughconductor", "masking", "separable", {"masking", NULL, NULL}},
-    {"roughconductor", "material", "none", {"material", "eta", "k"}},
-    {"conductor", "material", "none", {"material", "eta", "k"}},
-    {"roughdielectric", "masking", "separable", {"masking", NULL, NULL}},
+    /* Of Beckmann's masking Mitsuba has Walter's approximation. */
+    {"roughconductor", "masking", "rational", {"masking", NULL, NULL}, "separable"},
+    {"roughconductor", "material", "none", {"material", "eta", "k"}, NULL},
+    {"conductor", "material", "none", {"material", "eta", "k"}, NULL},
+    {"roughdielectric", "masking", "separable", {"masking", NULL, NULL}, NULL},
 };
 
-static int is_given(const struct brdf_setting *settings, size_t count, const char *name)
+static const struct brdf_setting *find(const struct brdf_setting *settings, size_t count,
+                                       const char *name)
 {
     for (size_t i = 0; i < count; ++i) {
         if (strcmp(settings[i].name, name) == 0) {
-            return 1;
+            return &settings[i];
         }
     }
-    return 0;
+    return NULL;
+}
+
+static int is_ggx(const struct brdf_setting *settings, size_t count)
+{
+    const struct brdf_setting *distribution = find(settings, count, "distribution");
+    return distribution && distribution->value && strcmp(distribution->value, "ggx") == 0;
 }
 
 size_t scene_mitsuba_assume(const char *model, struct brdf_setting *settings, size_t count,
@@ -40,10 +49,12 @@ size_t scene_mitsuba_assume(const char *model, struct brdf_setting *settings, si
         const struct assumption *assumption = &assumptions[i];
         int applies = strcmp(assumption->model, model) == 0;
         for (int k = 0; k < UNLESS_MAX && assumption->unless[k]; ++k) {
-            applies = applies && !is_given(settings, count, assumption->unless[k]);
+            applies = applies && !find(settings, count, assumption->unless[k]);
         }
         if (applies) {
-            settings[count++] = brdf_setting_text(assumption->name, assumption->value);
+            int other = assumption->where_ggx && is_ggx(settings, count);
+            settings[count++] = brdf_setting_text(assumption->name, other ? assumption->where_ggx
+                                                                          : assumption->value);
         }
     }
     return count;
