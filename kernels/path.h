@@ -7,6 +7,8 @@
  * write it, so that no stage needs a mask to load or store.
  *
  *   generate -> extend -> sort -> shade (one kernel a variant) -> connect -> (extend ...) -> film
+ *
+ * with "resolve" before sort where surfaces are composed of others.
  */
 #ifndef PT_PATH_H
 #define PT_PATH_H
@@ -173,7 +175,16 @@ static inline brdf_int pt_sample_of(struct pt_pass pass, brdf_int path)
     return pass.first_sample + (path & ((1 << pass.sample_bits) - 1));
 }
 
-/* Four random numbers of each path; dimension 0 is the camera's, then four sets a bounce. */
+/* The random number sets of a bounce; set 0 is the camera's. Of the first, a chooses the light, b
+   the lobe, c decides roulette and d forks; the second places light and lobe. */
+#define PT_SETS_PER_BOUNCE 2
+
+static inline int pt_bounce_set(int depth)
+{
+    return 1 + PT_SETS_PER_BOUNCE * depth;
+}
+
+/* Four random numbers of each path, set `dimension`. */
 static inline struct pt_random pt_path_random(struct pt_world w, struct pt_pass pass, brdf_int path,
                                               int dimension)
 {

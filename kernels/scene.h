@@ -23,7 +23,7 @@ enum pt_primitive_word {
     PT_E1 = 3,         /* 3 words */
     PT_E2 = 6,         /* 3 words */
     PT_KIND = 9,       /* int: PT_TRIANGLE ... */
-    PT_SURFACE = 10,   /* int: index of the surface */
+    PT_SURFACE = 10,   /* int: key of the surface or fork */
     PT_SHADING = 11,   /* int: row of normals and texture coordinates, or -1 (triangles only) */
     PT_FLIP = 12,      /* float: 1 or -1, multiplies the normal e1 x e2 (sphere: outward) */
     PT_RADIUS = 13,    /* float: of a sphere, else 0 */
@@ -70,6 +70,18 @@ struct pt_surface {
     int padding[2];
 };
 
+/*
+ * A fork: where a path goes on to one of two surfaces or further forks, at random (resolve.h). Keys
+ * number both: surfaces from 0, then surface_count for "missed", then forks. A fork comes after
+ * those it leads to.
+ */
+struct pt_fork {
+    float weight; /* probability of the second */
+    int first;    /* keys */
+    int second;
+    int padding;
+};
+
 /* Features: what a scene has, as bits; kernels are compiled for exactly these. */
 #define PT_HAS_SPHERES 2 /* spheres */
 #define PT_HAS_SHADING 4 /* triangles with normals or texture coordinates */
@@ -81,6 +93,7 @@ struct pt_surface {
 #define PT_HAS_SOBOL 256   /* Owen-scrambled Sobol; else independent random numbers */
 #define PT_HAS_TEXTURES 512
 #define PT_HAS_BITMAPS 1024 /* textures of that kind */
+#define PT_HAS_FORKS 4096   /* surfaces that are put together from others */
 
 /* Reconstruction filters. */
 #define PT_FILTER_BOX 0
@@ -112,6 +125,8 @@ struct pt_settings {
     int surfaces;
     int surface_count;
     int textures; /* texture_record.h */
+    int forks;
+    int fork_count;
     int lights;
     int light_cdf; /* light_count + 1 words, from 0 to 1 */
     int light_count;

@@ -24,9 +24,6 @@ struct pt_variant {
     unsigned colors;   /* and bit i here where it sets the two words behind, too */
 };
 
-/* The random number sets of a bounce; set 0 is the camera's. */
-#define PT_SETS_PER_BOUNCE 2
-
 /* Append the paths of the lanes in the mask to the queue of the next bounce. */
 static inline void pt_continue(struct pt_world w, brdf_int path, brdf_mask alive, int depth)
 {
@@ -173,7 +170,7 @@ static inline void pt_shade(struct pt_world w, struct pt_pass pass, struct pt_va
     }
     BRDF_GLOBAL const float *table = w.tables + surface->material.table;
     brdf_vec3 wo = brdf_to_local(at.frame, brdf_negate(ray.d));
-    int set = 1 + PT_SETS_PER_BOUNCE * depth;
+    int set = pt_bounce_set(depth);
     struct pt_random choose = pt_path_random(w, pass, path, set);
     struct pt_random place = pt_path_random(w, pass, path, set + 1);
 

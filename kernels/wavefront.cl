@@ -7,8 +7,10 @@
 #include "connect.h"
 #include "film.h"
 #include "generate.h"
+#include "resolve.h"
 #include "shade.h"
 #include "sort.h"
+#include "through.h"
 
 __kernel void begin(__global const struct pt_settings *settings, __global const float *scene,
                     __global const float *tables, __global float *state, struct pt_pass pass,
@@ -54,6 +56,19 @@ __kernel void extend_rays(__global const struct pt_settings *settings, __global 
         pt_extend_ray(w, place, depth);
     }
 }
+
+#if (PT_FEATURES) & PT_HAS_FORKS
+__kernel void resolve(__global const struct pt_settings *settings, __global const float *scene,
+                      __global const float *tables, __global float *state, struct pt_pass pass,
+                      int depth)
+{
+    struct pt_world w = pt_world_make(settings, scene, tables, state);
+    int packet = (int)get_global_id(0);
+    if (packet * BRDF_LANES < w.queues[PT_ACTIVE + (depth & 1)]) {
+        pt_resolve(w, pass, packet, depth);
+    }
+}
+#endif
 
 __kernel void sort(__global const struct pt_settings *settings, __global const float *scene,
                    __global const float *tables, __global float *state, struct pt_pass pass,

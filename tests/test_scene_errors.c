@@ -228,7 +228,7 @@ static void references(void **state)
         {HEAD "<bsdf type=\"twosided\"/></scene>", 3, BRDF_BAD_FILE, "holds one"},
         {HEAD "<bsdf type=\"twosided\"><bsdf type=\"diffuse\"/>\n<bsdf type=\"diffuse\"/></bsdf>"
               "</scene>",
-         4, BRDF_UNSUPPORTED, "second"},
+         4, BRDF_BAD_FILE, "one more"},
         {HEAD "<bsdf type=\"twosided\"><bsdf type=\"dielectric\"/></bsdf></scene>", 3,
          BRDF_BAD_ARGUMENT, "dielectric"},
         {HEAD "<bsdf type=\"diffuse\"><bsdf type=\"diffuse\"/></bsdf></scene>", 3, BRDF_UNSUPPORTED,

@@ -15,8 +15,10 @@
 #include "kernels/connect.h"
 #include "kernels/film.h"
 #include "kernels/generate.h"
+#include "kernels/resolve.h"
 #include "kernels/shade.h"
 #include "kernels/sort.h"
+#include "kernels/through.h"
 
 #define MAX_THREADS 1024
 
@@ -47,6 +49,8 @@ static void shade_all(struct pt_world w, const struct world *world, struct pt_pa
         for (int i = 0; i < w.queues[PT_VARIANTS + v]; ++i) {
             if (v == missed) {
                 pt_shade_missed(w, first + i);
+            } else if (from->through) {
+                pt_shade_through(w, pass, first + i, depth);
             } else {
                 pt_shade(w, pass, variant, first + i, depth);
             }
@@ -75,6 +79,9 @@ static void trace(struct pt_world w, const struct world *world, struct pt_pass p
             } else {
                 pt_extend_packet(w, i, depth);
             }
+        }
+        for (int i = 0; i < active && settings->fork_count > 0; ++i) {
+            pt_resolve(w, pass, i, depth);
         }
         for (int block = 0; block < world->sort_blocks; ++block) {
             pt_sort(w, block, depth);

@@ -30,6 +30,9 @@ static cl_int bounce(struct wavefront *wave, const struct pt_pass *pass, int dep
     int lights = settings->features & (PT_HAS_LIGHTS | PT_HAS_CONSTANT | PT_HAS_MAP);
     int environment = settings->features & (PT_HAS_CONSTANT | PT_HAS_MAP);
     cl_int result = wavefront_run(wave, STAGE_EXTEND, pass, depth);
+    if (result == CL_SUCCESS && (settings->features & PT_HAS_FORKS)) {
+        result = wavefront_run(wave, STAGE_RESOLVE, pass, depth);
+    }
     if (result == CL_SUCCESS) {
         result = wavefront_run(wave, STAGE_SORT, pass, depth);
     }

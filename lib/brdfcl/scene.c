@@ -29,6 +29,7 @@ void brdfcl_scene_destroy(struct brdfcl_scene *scene)
     free(scene->primitives.words);
     free(scene->shading.words);
     free(scene->surfaces);
+    free(scene->forks);
     free(scene->bsdfs);
     free(scene->notes);
     free(scene->path);

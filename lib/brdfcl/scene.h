@@ -23,7 +23,7 @@ struct scene_environment {
 };
 
 struct scene_surface {
-    struct brdf_bsdf *bsdf; /* not owned: one of brdfcl_scene.bsdfs */
+    struct brdf_bsdf *bsdf; /* not owned: one of brdfcl_scene.bsdfs; NULL: light goes through it */
     float radiance[3];
     int emits;
 };
@@ -44,6 +44,14 @@ struct scene_binding {
     int word;  /* of its material */
     int color; /* the two words behind it, too */
     struct pt_binding record;
+};
+
+/* Where a path goes on to one of two: references to a surface (its number) or to another fork,
+   which comes before (-1 - its number). A primitive's PT_SURFACE is such a reference. */
+struct scene_fork {
+    int first;
+    int second;
+    float weight; /* probability of the second */
 };
 
 /* A growing array of 16-word records. */
@@ -76,6 +84,8 @@ struct brdfcl_scene {
     struct scene_rows shading;
     struct scene_surface *surfaces;
     size_t surface_count;
+    struct scene_fork *forks;
+    size_t fork_count;
     struct brdf_bsdf **bsdfs;
     size_t bsdf_count;
     struct scene_texture *textures;

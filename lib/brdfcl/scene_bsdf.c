@@ -1,5 +1,6 @@
 /*
- * scene_bsdf.c - <bsdf>: any model of libbrdf by its name, and "twosided" around one.
+ * scene_bsdf.c - <bsdf>: any model of libbrdf by its name. What is composed of them is read by
+ * scene_compose.c.
  */
 #include "scene_loader.h"
 
@@ -23,8 +24,8 @@ struct bsdf_draft {
 static brdf_status bsdf_fail_model(const struct scene_loader *loader, const struct xml_node *node,
                                    const char *type)
 {
-    const char *known[BSDF_MODELS_MAX] = {"twosided"};
-    size_t count = 1;
+    const char *known[BSDF_MODELS_MAX] = {"twosided", "blendbsdf", "mask"};
+    size_t count = 3;
     for (int tag = 0; tag < brdf_model_count() && count < BSDF_MODELS_MAX; ++tag) {
         known[count++] = brdf_model_info(tag)->name;
     }
@@ -232,40 +233,17 @@ static brdf_status bsdf_read_model(struct scene_loader *loader, struct xml_node 
     return status;
 }
 
-static brdf_status bsdf_read_twosided(struct scene_loader *loader, struct xml_node *node,
-                                      struct brdf_bsdf **bsdf)
-{
-    struct xml_node *child = NULL;
-    struct xml_node *inner = scene_object_next(loader, node, "bsdf", &child);
-    brdf_status status = scene_slots_read(loader, node, NULL, 0, "bsdf");
-    if (status) {
-        return status;
-    }
-    if (!inner) {
-        return scene_fail(loader, node, BRDF_BAD_FILE, "a twosided holds one <bsdf>");
-    }
-    if (scene_object_next(loader, node, "bsdf", &child)) {
-        return scene_fail(loader, child, BRDF_UNSUPPORTED,
-                          "a second <bsdf> for the other side is not supported");
-    }
-    if (strcmp(xml_attribute_get(inner, "type"), "twosided") == 0) {
-        return scene_fail(loader, inner, BRDF_BAD_FILE, "twosided in twosided");
-    }
-    return bsdf_read_model(loader, inner, node, bsdf);
-}
-
 brdf_status scene_bsdf_read(struct scene_loader *loader, struct xml_node *node,
-                            struct brdf_bsdf **bsdf)
+                            const struct xml_node *twosided, struct brdf_bsdf **bsdf)
 {
+    void **product = twosided ? &node->twosided_product : &node->product;
     brdf_status status = BRDF_OK;
-    if (!node->product) {
+    if (!*product) {
         struct brdf_bsdf *made = NULL;
-        status = strcmp(xml_attribute_get(node, "type"), "twosided") == 0
-                     ? bsdf_read_twosided(loader, node, &made)
-                     : bsdf_read_model(loader, node, NULL, &made);
-        node->product = made;
+        status = bsdf_read_model(loader, node, twosided, &made);
+        *product = made;
     }
-    *bsdf = node->product;
+    *bsdf = *product;
     return status;
 }
 

@@ -70,10 +70,10 @@ static brdf_status scene_read_content(struct scene_loader *loader, struct xml_no
     struct xml_node *object;
     brdf_status status = BRDF_OK;
     while (!status && (object = scene_object_next(loader, root, NULL, &child)) != NULL) {
-        struct brdf_bsdf *bsdf = NULL;
         int texture = 0;
+        int reference;
         if (strcmp(object->tag, "bsdf") == 0) {
-            status = scene_bsdf_read(loader, object, &bsdf);
+            status = scene_compose_read(loader, object, NULL, &reference);
         } else if (strcmp(object->tag, "texture") == 0) {
             status = scene_texture_read(loader, object, &texture);
         } else if (strcmp(object->tag, "shape") == 0) {

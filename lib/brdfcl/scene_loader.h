@@ -20,6 +20,7 @@ struct scene_loader {
     struct scene_name *ids; /* sorted; scene_reference.c */
     size_t id_count;
     size_t surface_capacity;
+    size_t fork_capacity;
     size_t bsdf_capacity;
     size_t texture_capacity;
     size_t binding_capacity;
@@ -151,9 +152,15 @@ brdf_status scene_transform_read(const struct scene_loader *loader, const struct
 
 /* --- The plugins --- */
 
-/* A bsdf, made once and shared; owned by the scene. */
+/* The bsdf of one model, made once and shared; owned by the scene. `twosided` is the element around
+   it, or NULL. */
 brdf_status scene_bsdf_read(struct scene_loader *loader, struct xml_node *node,
-                            struct brdf_bsdf **bsdf);
+                            const struct xml_node *twosided, struct brdf_bsdf **bsdf);
+
+/* Any bsdf, composed ones as well, as the surface or fork (struct scene_fork) that a primitive
+   refers to. With radiance NULL it is only checked, and *reference stays. */
+brdf_status scene_compose_read(struct scene_loader *loader, struct xml_node *node,
+                               const double radiance[3], int *reference);
 
 /*
  * The number of a texture's element (a <ref> resolved already), read once and shared. What sets a
@@ -196,7 +203,7 @@ size_t scene_mitsuba_assume(const char *model, struct brdf_setting *settings, si
 brdf_status scene_bsdf_default(struct scene_loader *loader, const struct xml_node *node, int emits,
                                struct brdf_bsdf **bsdf);
 
-/* The surface with this bsdf and radiance: equal ones are one. */
+/* The surface with this bsdf (NULL: light goes through) and radiance: equal ones are one. */
 brdf_status scene_surface_add(struct scene_loader *loader, const struct xml_node *node,
                               struct brdf_bsdf *bsdf, const double radiance[3], int *surface);
 

@@ -156,9 +156,11 @@ static brdf_status shape_surface(struct scene_loader *loader, struct xml_node *n
     if (emitter_node) {
         status = scene_emitter_area(loader, emitter_node, radiance);
     }
+    if (!status && bsdf_node) {
+        return scene_compose_read(loader, bsdf_node, radiance, surface);
+    }
     if (!status) {
-        status = bsdf_node ? scene_bsdf_read(loader, bsdf_node, &bsdf)
-                           : scene_bsdf_default(loader, node, emitter_node != NULL, &bsdf);
+        status = scene_bsdf_default(loader, node, emitter_node != NULL, &bsdf);
     }
     return status ? status : scene_surface_add(loader, node, bsdf, radiance, surface);
 }

@@ -25,6 +25,7 @@ struct xml_node {
     struct xml_node *next;  /* of the same parent */
     int visit;              /* for walks: 0 not seen, 1 on the way, 2 done */
     void *product;          /* what the loader has made of it */
+    void *twosided_product; /* the same, of a bsdf inside of a twosided */
 };
 
 struct xml_document {

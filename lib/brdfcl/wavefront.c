@@ -32,15 +32,23 @@ static char *program_text(const struct world *world)
             "    __global float *state, struct pt_pass pass, int depth)\n"
             "{\n"
             "    struct pt_world w = pt_world_make(settings, scene, tables, state);\n"
-            "    struct pt_variant variant = {%s, 0x%xu, 0x%xu, %d, 0x%xu, 0x%xu};\n"
             "    int packet = (int)get_global_id(0);\n"
             "    if (packet < w.queues[PT_VARIANTS + %d]) {\n"
-            "        pt_shade(w, pass, variant, w.queues[settings->variant_first + %d] + packet,\n"
-            "                 depth);\n"
-            "    }\n"
-            "}\n",
-            v, opencl_model_tag(variant->model), variant->flags, variant->choices, v,
-            variant->textured, variant->colors, v, v);
+            "        packet += w.queues[settings->variant_first + %d];\n",
+            v, v, v);
+        if (variant->through) {
+            used += (size_t)snprintf(text + used, size - used,
+                                     "        pt_shade_through(w, pass, packet, depth);\n"
+                                     "    }\n}\n");
+            continue;
+        }
+        used += (size_t)snprintf(
+            text + used, size - used,
+            "        struct pt_variant variant = {%s, 0x%xu, 0x%xu, %d, 0x%xu, 0x%xu};\n"
+            "        pt_shade(w, pass, variant, packet, depth);\n"
+            "    }\n}\n",
+            opencl_model_tag(variant->model), variant->flags, variant->choices, v,
+            variant->textured, variant->colors);
     }
     return text;
 }
@@ -56,7 +64,7 @@ static brdf_status build(struct wavefront *wave, struct brdf_error *error)
     }
     opencl_models models = 0;
     for (int v = 0; v < world->settings.variant_count - 1; ++v) {
-        models |= OPENCL_MODEL(world->variants[v].model);
+        models |= world->variants[v].through ? 0 : OPENCL_MODEL(world->variants[v].model);
     }
     brdf_status status =
         opencl_build(wave->device, models, text, "wavefront", options, &wave->program, error);
@@ -155,6 +163,9 @@ static brdf_status make_stages(struct wavefront *wave, struct brdf_error *error)
     brdf_status status = BRDF_OK;
     for (size_t i = 0; i < sizeof list / sizeof list[0] && status == BRDF_OK; ++i) {
         status = make_stage(wave, list[i].stage, list[i].name, list[i].items, list[i].group, error);
+    }
+    if (status == BRDF_OK && (settings->features & PT_HAS_FORKS)) {
+        status = make_stage(wave, STAGE_RESOLVE, "resolve", packets, GROUP_PACKETS, error);
     }
     for (int v = 0; v < settings->variant_count && status == BRDF_OK; ++v) {
         char name[32];

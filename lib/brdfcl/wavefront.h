@@ -11,6 +11,7 @@ enum stage {
     STAGE_BEGIN,
     STAGE_GENERATE,
     STAGE_EXTEND,
+    STAGE_RESOLVE, /* only where a scene has forks */
     STAGE_SORT,
     STAGE_CONNECT,
     STAGE_FILM,

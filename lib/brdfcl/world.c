@@ -114,7 +114,7 @@ static brdf_status append_ready(const struct brdfcl_scene *scene, struct world *
         const brdf_vec3 vectors[4] = {plane.p, plane.n, plane.a, plane.b};
         memcpy(to, vectors, sizeof vectors);
         to[PT_READY_KIND] = from[PT_KIND];
-        to[PT_READY_SURFACE] = from[PT_SURFACE];
+        to[PT_READY_SURFACE] = pt_float_of_bits(world_key(scene, pt_int_bits(from[PT_SURFACE])));
     }
     return status;
 }
@@ -153,6 +153,10 @@ static brdf_status append_geometry(const struct brdfcl_scene *scene, struct worl
     if (status == BRDF_OK && count > 0) {
         memcpy(words->words + settings->primitives, scene->primitives.words,
                count * PT_ROW * sizeof(float));
+        for (size_t i = 0; i < count; ++i) {
+            float *row = words->words + settings->primitives + i * PT_ROW;
+            row[PT_SURFACE] = pt_float_of_bits(world_key(scene, pt_int_bits(row[PT_SURFACE])));
+        }
     }
     if (status == BRDF_OK) {
         status = world_append(words, scene->shading.words, scene->shading.count * PT_ROW,
@@ -232,6 +236,9 @@ brdf_status world_create(const struct brdfcl_scene *scene, int lanes, int pool, 
     }
     if (status == BRDF_OK) {
         status = world_surfaces(scene, world, &words, error);
+    }
+    if (status == BRDF_OK) {
+        status = world_forks(scene, world, &words, error);
     }
     if (status == BRDF_OK) {
         status = world_environment(scene, world, &words, error);

@@ -17,6 +17,7 @@ struct world_variant {
     unsigned choices;
     unsigned textured; /* kernels/texture.h */
     unsigned colors;
+    int through;  /* no model: paths go on as if nothing were there */
     int surfaces; /* how many surfaces are shaded by it */
 };
 
@@ -73,6 +74,12 @@ brdf_status world_environment(const struct brdfcl_scene *scene, struct world *wo
 brdf_status world_bindings(const struct brdfcl_scene *scene, const struct brdf_bsdf *bsdf,
                            struct world_words *words, int *first, unsigned *textured,
                            unsigned *colors, struct brdf_error *error);
+/* What a primitive's reference (struct scene_fork) is on the device: surfaces, "missed", forks. */
+int world_key(const struct brdfcl_scene *scene, int reference);
+
+/* The forks of a scene, as they are. */
+brdf_status world_forks(const struct brdfcl_scene *scene, struct world *world,
+                        struct world_words *words, struct brdf_error *error);
 
 /* Relative luminance of linear Rec. 709, by which lights and pixels are chosen. */
 double world_luminance(const float *rgb);

@@ -36,7 +36,12 @@ static double area_of(const float *primitive)
 
 static const struct scene_surface *surface_of(const struct brdfcl_scene *scene, size_t primitive)
 {
-    return &scene->surfaces[pt_int_bits(scene->primitives.words[primitive * PT_ROW + PT_SURFACE])];
+    int reference = pt_int_bits(scene->primitives.words[primitive * PT_ROW + PT_SURFACE]);
+    /* All parts of a composed surface emit alike. */
+    while (reference < 0) {
+        reference = scene->forks[-1 - reference].first;
+    }
+    return &scene->surfaces[reference];
 }
 
 /* A light's record. The primitive learns its probability, which a path that meets it by chance

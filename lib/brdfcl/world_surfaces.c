@@ -15,7 +15,7 @@ static int find_variant(struct world *world, const struct world_variant *wanted)
         struct world_variant *variant = &world->variants[v];
         if (variant->model == wanted->model && variant->flags == wanted->flags &&
             variant->choices == wanted->choices && variant->textured == wanted->textured &&
-            variant->colors == wanted->colors) {
+            variant->colors == wanted->colors && variant->through == wanted->through) {
             variant->surfaces += 1;
             return v;
         }
@@ -96,14 +96,22 @@ static brdf_status put_surface(const struct brdfcl_scene *scene, struct world *w
     const struct scene_surface *from = &scene->surfaces[number];
     struct pt_surface surface;
     memset(&surface, 0, sizeof surface);
-    surface.material = *brdf_bsdf_material(from->bsdf);
-    surface.material.table += table_of(scene, from->bsdf, table_of_bsdf);
     surface.emits = from->emits;
     memcpy(surface.radiance, from->radiance, sizeof surface.radiance);
-    struct world_variant variant = {
-        surface.material.model, surface.material.flags, surface.material.choices, 0u, 0u, 1};
-    brdf_status status = world_bindings(scene, from->bsdf, words, &surface.bindings,
-                                        &variant.textured, &variant.colors, error);
+    struct world_variant variant;
+    memset(&variant, 0, sizeof variant);
+    variant.surfaces = 1;
+    variant.through = !from->bsdf;
+    brdf_status status = BRDF_OK;
+    if (from->bsdf) {
+        surface.material = *brdf_bsdf_material(from->bsdf);
+        surface.material.table += table_of(scene, from->bsdf, table_of_bsdf);
+        variant.model = surface.material.model;
+        variant.flags = surface.material.flags;
+        variant.choices = surface.material.choices;
+        status = world_bindings(scene, from->bsdf, words, &surface.bindings, &variant.textured,
+                                &variant.colors, error);
+    }
     if (status != BRDF_OK) {
         return status;
     }
