@@ -37,7 +37,9 @@ static brdf_status write_copper(const char *path, struct brdf_error *error)
     return status;
 }
 
-static brdf_status create_merl(struct brdf_bsdf **out, struct brdf_error *error)
+/* A material of a model whose files are all MERL's; one does for all of them. */
+static brdf_status create_merl(const struct brdf_model_info *model, struct brdf_bsdf **out,
+                               struct brdf_error *error)
 {
     const char *folder = getenv("TMPDIR");
     char path[1024];
@@ -50,8 +52,14 @@ static brdf_status create_merl(struct brdf_bsdf **out, struct brdf_error *error)
     close(fd);
     brdf_status status = write_copper(path, error);
     if (!status) {
-        struct brdf_setting setting = brdf_setting_text("filename", path);
-        status = brdf_bsdf_create_from("merl", &setting, 1, out, error);
+        struct brdf_setting settings[4];
+        size_t count = 0;
+        for (size_t i = 0; i < model->parameter_count && count < 4; ++i) {
+            if (model->parameters[i].kind == BRDF_KIND_FILE) {
+                settings[count++] = brdf_setting_text(model->parameters[i].name, path);
+            }
+        }
+        status = brdf_bsdf_create_from(model->name, settings, count, out, error);
     }
     unlink(path);
     return status;
@@ -65,8 +73,8 @@ brdf_status measured_bsdf_create(const char *description, struct brdf_bsdf **out
     if (!model || !(model->flags & BRDF_TABULATED)) {
         return brdf_bsdf_create(description, out, error);
     }
-    if (strcmp(model->name, "merl") == 0) {
-        return create_merl(out, error);
+    if (strcmp(model->name, "merl") == 0 || strcmp(model->name, "measuredmix") == 0) {
+        return create_merl(model, out, error);
     }
     return brdf_fail(error, BRDF_UNSUPPORTED, "%s needs a file: name it as in '%s:filename=FILE'",
                      model->name, model->name);

@@ -163,7 +163,9 @@ static void cases_destroy(struct model_cases *cases)
     for (size_t i = 0; i < cases->count; ++i) {
         if (cases->items[i].is_made) {
             free(cases->items[i].bsdf.table);
-            free(cases->items[i].bsdf.file);
+            for (int k = 0; k < BRDF_FILES; ++k) {
+                free(cases->items[i].bsdf.file[k]);
+            }
         }
     }
     free(cases->items);

@@ -28,3 +28,4 @@
 #include "model/roughplastic.h"
 #include "model/principled.h"
 #include "model/merl.h"
+#include "model/measuredmix.h"

@@ -47,7 +47,7 @@ brdf_status brdf_bsdf_build(const char *model, const struct brdf_setting *settin
         goto done;
     }
     status = brdf_settings_apply(bsdf, info, settings, count, origin, error);
-    if (!status && bsdf->file) {
+    if (!status && bsdf->file[0]) {
         status = brdf_table_load(info, bsdf->file, &bsdf->table, &bsdf->table_words, error);
     }
     if (!status) {
@@ -71,7 +71,9 @@ void brdf_bsdf_destroy(struct brdf_bsdf *bsdf)
 {
     if (bsdf) {
         free(bsdf->table);
-        free(bsdf->file);
+        for (int i = 0; i < BRDF_FILES; ++i) {
+            free(bsdf->file[i]);
+        }
         free(bsdf);
     }
 }

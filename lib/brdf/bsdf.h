@@ -10,12 +10,14 @@
 #include "brdf/material.h"
 #include "brdf/model.h"
 
+enum { BRDF_FILES = 2 }; /* the most parameters of kind FILE that a model has */
+
 struct brdf_bsdf {
     struct brdf_material material;
     brdf_parameters parameters; /* the material's, unpacked */
     float *table;               /* NULL if the model has none; owned */
     size_t table_words;
-    char *file; /* where the table came from, for descriptions; owned */
+    char *file[BRDF_FILES]; /* where the table came from, for descriptions; owned */
 };
 
 /* Where settings were written, so that an error can say it: `place` has a byte, from 0, for each.
@@ -38,8 +40,15 @@ brdf_status brdf_settings_apply(struct brdf_bsdf *bsdf, const struct brdf_model_
                                 const struct brdf_setting *settings, size_t count,
                                 const struct brdf_origin *origin, struct brdf_error *error);
 
-/* Read the table of a tabulated model; *table is to be freed with free(). tables.c */
-brdf_status brdf_table_load(const struct brdf_model_info *model, const char *path, float **table,
-                            size_t *words, struct brdf_error *error);
+/* Which of the model's files a parameter of kind FILE names, from 0. tables.c */
+int brdf_file_number(const struct brdf_model_info *model,
+                     const struct brdf_parameter_info *parameter);
+
+/*
+ * Read the tables of a tabulated model's files, one behind the other in the order of its list;
+ * *table is to be freed with free(). tables.c
+ */
+brdf_status brdf_table_load(const struct brdf_model_info *model, char *const files[BRDF_FILES],
+                            float **table, size_t *words, struct brdf_error *error);
 
 #endif

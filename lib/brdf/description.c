@@ -210,7 +210,7 @@ static void put_value(struct writer *w, const struct brdf_bsdf *bsdf,
         put_color(w, &bsdf->material.word[place]);
         break;
     default:
-        put_quoted(w, bsdf->file);
+        put_quoted(w, bsdf->file[brdf_file_number(model, p)]);
         break;
     }
 }

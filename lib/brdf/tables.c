@@ -1,6 +1,9 @@
 /* tables.c - which reader makes the table of which tabulated model. */
 #include "bsdf.h"
 
+#include <stdlib.h>
+#include <string.h>
+
 #include "merl_table.h"
 
 /* A tabulated model's measurement has a format of its own; this is the list of their readers. */
@@ -9,10 +12,21 @@ static const struct {
     brdf_status (*load)(const char *path, float **table, size_t *words, struct brdf_error *error);
 } readers[] = {
     {BRDF_MODEL_MERL, brdf_merl_table_load},
+    {BRDF_MODEL_MEASUREDMIX, brdf_merl_table_load},
 };
 
-brdf_status brdf_table_load(const struct brdf_model_info *model, const char *path, float **table,
-                            size_t *words, struct brdf_error *error)
+int brdf_file_number(const struct brdf_model_info *model,
+                     const struct brdf_parameter_info *parameter)
+{
+    int number = 0;
+    for (const struct brdf_parameter_info *p = model->parameters; p != parameter; ++p) {
+        number += p->kind == BRDF_KIND_FILE;
+    }
+    return number;
+}
+
+static brdf_status file_load(const struct brdf_model_info *model, const char *path, float **table,
+                             size_t *words, struct brdf_error *error)
 {
     for (size_t i = 0; i < sizeof readers / sizeof readers[0]; ++i) {
         if (readers[i].model == model->tag) {
@@ -20,4 +34,47 @@ brdf_status brdf_table_load(const struct brdf_model_info *model, const char *pat
         }
     }
     return brdf_fail(error, BRDF_UNSUPPORTED, "%s: no reader for its files", model->name);
+}
+
+/* Put the table of one more file behind those that are there. */
+static brdf_status file_append(const struct brdf_model_info *model, const char *path, float **table,
+                               size_t *words, struct brdf_error *error)
+{
+    float *more = NULL;
+    size_t more_words = 0;
+    brdf_status status = file_load(model, path, &more, &more_words, error);
+    if (status) {
+        return status;
+    }
+    if (!*table) { /* the first one, mostly the only one: no need to copy it */
+        *table = more;
+        *words = more_words;
+        return BRDF_OK;
+    }
+    float *all = realloc(*table, (*words + more_words) * sizeof **table);
+    if (all) {
+        memcpy(all + *words, more, more_words * sizeof *more);
+        *table = all;
+        *words += more_words;
+    }
+    free(more);
+    return all ? BRDF_OK : brdf_fail(error, BRDF_OUT_OF_MEMORY, "%s: out of memory", path);
+}
+
+brdf_status brdf_table_load(const struct brdf_model_info *model, char *const files[BRDF_FILES],
+                            float **table, size_t *words, struct brdf_error *error)
+{
+    float *all = NULL;
+    size_t count = 0;
+    brdf_status status = BRDF_OK;
+    for (int i = 0; i < BRDF_FILES && files[i] && !status; ++i) {
+        status = file_append(model, files[i], &all, &count, error);
+    }
+    if (status) {
+        free(all);
+        return status;
+    }
+    *table = all;
+    *words = count;
+    return BRDF_OK;
 }

@@ -197,11 +197,12 @@ static brdf_status set_file(const struct brdf_draft *d, const struct brdf_parame
     if (size == 1) {
         return brdf_draft_refuse(d, BRDF_BAD_ARGUMENT, "%s must be a path, and is empty", p->name);
     }
-    d->bsdf->file = malloc(size);
-    if (!d->bsdf->file) {
+    char *path = malloc(size);
+    if (!path) {
         return brdf_draft_refuse(d, BRDF_OUT_OF_MEMORY, "out of memory");
     }
-    memcpy(d->bsdf->file, d->setting->value, size);
+    memcpy(path, d->setting->value, size);
+    d->bsdf->file[brdf_file_number(d->model, p)] = path;
     return BRDF_OK;
 }
 

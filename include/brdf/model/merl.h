@@ -253,14 +253,20 @@ static inline brdf_vec3 brdf_merl_half(brdf_int row, brdf_real u, brdf_real v, b
                           radius * (turn.cos * azimuth.y + side * azimuth.x), 1.0f - 2.0f * q);
 }
 
-static inline struct brdf_sample brdf_merl_sample(struct brdf_merl p, brdf_vec3 wo, brdf_vec3 u,
-                                                  BRDF_GLOBAL const float *table)
+/* A direction drawn from the tables, without its density. */
+static inline brdf_vec3 brdf_merl_direction(brdf_vec3 wo, brdf_vec3 u,
+                                            BRDF_GLOBAL const float *table)
 {
     struct brdf_merl_rows rows = brdf_merl_rows_of(wo, table);
     brdf_int row = brdf_pick_int(u.z < rows.split, rows.first, rows.first + 1);
     brdf_vec3 normal = brdf_merl_half(row, u.x, u.y, brdf_merl_azimuth(wo), table);
-    brdf_vec3 wi =
-        brdf_vec3_pick(u.z < rows.cosine, brdf_warp_cosine(u.x, u.y), brdf_reflect(wo, normal));
+    return brdf_vec3_pick(u.z < rows.cosine, brdf_warp_cosine(u.x, u.y), brdf_reflect(wo, normal));
+}
+
+static inline struct brdf_sample brdf_merl_sample(struct brdf_merl p, brdf_vec3 wo, brdf_vec3 u,
+                                                  BRDF_GLOBAL const float *table)
+{
+    brdf_vec3 wi = brdf_merl_direction(wo, u, table);
     brdf_real pdf = brdf_merl_pdf(p, wo, wi, table);
     brdf_mask valid = pdf > 0.0f;
     brdf_rgb f = brdf_merl_eval(p, wo, wi, table);
