@@ -17,6 +17,7 @@ int command_devices(int argc, char **argv);
 int command_eval(int argc, char **argv);
 int command_sample(int argc, char **argv);
 int command_albedo(int argc, char **argv);
+int command_fit(int argc, char **argv);
 int command_check(int argc, char **argv);
 int command_info(int argc, char **argv);
 int command_convert(int argc, char **argv);

@@ -26,6 +26,7 @@ static const struct command {
     {"info", command_info, "describe a measured file, and where it is to be doubted"},
     {"convert", command_convert, "write a material as a measured file"},
     {"mix", command_mix, "mix measured materials into a new one"},
+    {"fit", command_fit, "find a model's parameters that come nearest to a material"},
     {"check", command_check, "compare C with OpenCL, bit by bit"},
     {"bench", command_bench, "measure C against OpenCL"},
 };
