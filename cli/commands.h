@@ -15,6 +15,7 @@ int command_render(int argc, char **argv);
 int command_models(int argc, char **argv);
 int command_devices(int argc, char **argv);
 int command_eval(int argc, char **argv);
+int command_plot(int argc, char **argv);
 int command_sample(int argc, char **argv);
 int command_albedo(int argc, char **argv);
 int command_fit(int argc, char **argv);

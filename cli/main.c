@@ -21,6 +21,7 @@ static const struct command {
     {"models", command_models, "list the models, or the parameters of one"},
     {"devices", command_devices, "list the OpenCL devices"},
     {"eval", command_eval, "evaluate a material for two directions"},
+    {"plot", command_plot, "draw lobes, slices, albedos and spheres of materials"},
     {"sample", command_sample, "draw directions from a material, as CSV"},
     {"albedo", command_albedo, "how much light a material reflects and transmits"},
     {"info", command_info, "describe a measured file, and where it is to be doubted"},

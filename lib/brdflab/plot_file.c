@@ -1,0 +1,101 @@
+/* plot_file.c - PNG and SVG through cairo's streams. */
+#include "plot_file.h"
+
+#include <math.h>
+#include <string.h>
+
+#include <cairo-svg.h>
+
+#include "plot.h"
+
+/* 0 PNG, 1 SVG, -1 another. */
+static int suffix_of(const char *path)
+{
+    const char *dot = strrchr(path, '.');
+    static const char *const suffix[2] = {".png", ".svg"};
+    for (int i = 0; dot && i < 2; ++i) {
+        size_t k = 0;
+        while (dot[k] && (dot[k] | 0x20) == (suffix[i][k] | 0x20)) {
+            ++k;
+        }
+        if (!dot[k] && !suffix[i][k]) {
+            return i;
+        }
+    }
+    return -1;
+}
+
+brdf_status lab_plot_path_check(const char *path, struct brdf_error *error)
+{
+    if (suffix_of(path) < 0) {
+        return brdf_fail(error, BRDF_UNSUPPORTED, "%s: a plot is a .png or a .svg file", path);
+    }
+    return brdfcl_atomic_check(path, error);
+}
+
+static cairo_status_t write_bytes(void *closure, const unsigned char *bytes, unsigned length)
+{
+    struct plot_file *file = closure;
+    if (!file->status) {
+        file->status = brdfcl_atomic_write(&file->file, bytes, length, file->written, file->error);
+        file->written += length;
+    }
+    return file->status ? CAIRO_STATUS_WRITE_ERROR : CAIRO_STATUS_SUCCESS;
+}
+
+static void make_surface(struct plot_file *file, double width, double height, double scale)
+{
+    if (file->is_svg) {
+        file->surface = cairo_svg_surface_create_for_stream(write_bytes, file, width, height);
+        return;
+    }
+    file->surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, (int)lround(width * scale),
+                                               (int)lround(height * scale));
+    cairo_surface_set_device_scale(file->surface, scale, scale);
+}
+
+brdf_status plot_file_open(struct plot_file *file, const char *path, double width, double height,
+                           double scale, struct brdf_error *error)
+{
+    file->is_svg = suffix_of(path) == 1;
+    file->surface = NULL;
+    file->written = 0;
+    file->error = error;
+    file->status = lab_plot_path_check(path, error);
+    if (!file->status) {
+        file->status = brdfcl_atomic_open(&file->file, path, error);
+    }
+    if (file->status) {
+        return file->status;
+    }
+    make_surface(file, width, height, scale);
+    if (cairo_surface_status(file->surface) != CAIRO_STATUS_SUCCESS) {
+        return plot_file_close(file, brdf_fail(error, BRDF_OUT_OF_MEMORY,
+                                               "%s: no memory for a picture of %g x %g points",
+                                               path, width, height));
+    }
+    return BRDF_OK;
+}
+
+brdf_status plot_file_close(struct plot_file *file, brdf_status status)
+{
+    if (!status && !file->is_svg) {
+        cairo_surface_write_to_png_stream(file->surface, write_bytes, file);
+    }
+    cairo_surface_finish(file->surface); /* an SVG's bytes come now */
+    cairo_status_t drawn = cairo_surface_status(file->surface);
+    if (!status) {
+        status = file->status;
+    }
+    if (!status && drawn != CAIRO_STATUS_SUCCESS) {
+        status = brdf_fail(file->error, BRDF_IO, "%s: %s", file->file.path,
+                           cairo_status_to_string(drawn));
+    }
+    cairo_surface_destroy(file->surface);
+    file->surface = NULL;
+    if (!status) {
+        return brdfcl_atomic_commit(&file->file, file->error);
+    }
+    brdfcl_atomic_discard(&file->file);
+    return status;
+}

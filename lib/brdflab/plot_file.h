@@ -1,0 +1,30 @@
+/*
+ * plot_file.h - a cairo surface whose bytes become a file, whole or not at all.
+ */
+#ifndef BRDFLAB_PLOT_FILE_H
+#define BRDFLAB_PLOT_FILE_H
+
+#include <cairo.h>
+
+#include <brdf/status.h>
+#include <brdfcl/atomic_file.h>
+
+struct plot_file {
+    struct brdfcl_atomic_file file;
+    int is_svg;
+    cairo_surface_t *surface;
+    long long written; /* bytes */
+    brdf_status status;
+    struct brdf_error *error;
+};
+
+/* Open a picture of so many points, `scale` pixels each for a PNG; ends with plot_file_close. The
+   struct must stay where it is until then. */
+brdf_status plot_file_open(struct plot_file *file, const char *path, double width, double height,
+                           double scale, struct brdf_error *error);
+
+/* Write what was drawn, where `status` is BRDF_OK, and put the file in its place; else drop it.
+   Returns that status, or what went wrong now. */
+brdf_status plot_file_close(struct plot_file *file, brdf_status status);
+
+#endif
