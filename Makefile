@@ -167,7 +167,7 @@ $(BUILD)/obj/lib/brdflab/%.o: includes = -Ilib -Ilib/brdflab $(lab_cflags)
 $(BUILD)/obj/cli/%.o: includes = -Icli -Ibench -Ilib
 $(BUILD)/obj/bench/%.o: includes = -Ibench -Icli -Ilib
 $(BUILD)/obj/tests/%.o: includes = -I. -Itests -Ilib -Ilib/brdf -Ilib/brdfcl -Ilib/brdflab -Ikernels \
-    $(cmocka_cflags) $(package_cflags) $(embree_cppflags)
+    $(cmocka_cflags) $(package_cflags) $(lab_cflags) $(embree_cppflags)
 
 compile = @mkdir -p $(@D) && echo "  cc      $<" && $(CC) -Iinclude $(includes) $(CPPFLAGS) \
     -DBRDFCL_VERSION='"$(VERSION)"' $(ALL_CFLAGS) -MMD -MP -c $< -o $@

@@ -61,28 +61,15 @@ static int read_panels(const char *list, struct lab_plot_settings *settings)
     return OPTIONS_GO_ON;
 }
 
-/* "0,30,60" into the settings; an exit status, or OPTIONS_GO_ON. */
-static int read_angles(const char *list, struct lab_plot_settings *settings)
+/* Degrees into the settings; an exit status, or OPTIONS_GO_ON. */
+static int read_angles(const struct numbers *degrees, struct lab_plot_settings *settings)
 {
-    char item[32];
-    settings->angles = 0;
-    while (next_item(&list, item, sizeof item)) {
-        double theta;
-        if (settings->angles == LAB_PLOT_ANGLES_MOST) {
-            return say_usage("--angles: more than %d are too many to tell apart",
-                             LAB_PLOT_ANGLES_MOST);
-        }
-        switch (parse_real(item, 0.0, 89.9, &theta)) {
-        case PARSE_OK:
-            settings->angle[settings->angles++] = theta * degree;
-            break;
-        case PARSE_RANGE:
-            say("--angles '%s' is out of range: light arrives at 0 to 89.9 degrees", item);
-            return EXIT_FAILED;
-        default:
-            return say_usage("--angles '%s': expected degrees separated by commas, as in 0,30,60",
-                             item);
-        }
+    if (degrees->count > LAB_PLOT_ANGLES_MOST) {
+        return say_usage("--angles: more than %d are too many to tell apart", LAB_PLOT_ANGLES_MOST);
+    }
+    settings->angles = degrees->count;
+    for (int i = 0; i < degrees->count; ++i) {
+        settings->angle[i] = degrees->item[i] * degree;
     }
     return OPTIONS_GO_ON;
 }
@@ -135,7 +122,8 @@ static int plot(const char *path, const struct texts *arguments,
 int command_plot(int argc, char **argv)
 {
     struct lab_plot_settings settings = lab_plot_settings_initial();
-    const char *path = NULL, *panels = NULL, *angles = NULL;
+    const char *path = NULL, *panels = NULL;
+    struct numbers angles = {.count = 0};
     struct size size = {0, 0};
     double phi = 0.0;
     int channel = LAB_CHANNEL_LUMINANCE;
@@ -143,7 +131,7 @@ int command_plot(int argc, char **argv)
         {NULL, 'o', OPTION_TEXT, &path, "FILE", 0, 0, "where to write: .png or .svg"},
         {"panels", 0, OPTION_TEXT, &panels, "LIST", 0, 0,
          "of sphere, lobe, slice, albedo, image; all if not given"},
-        {"angles", 0, OPTION_TEXT, &angles, "LIST", 0, 0,
+        {"angles", 0, OPTION_REALS, &angles, "A,B,...", 0, 89.9,
          "angles of incidence [degrees]; 0,30,60,80 if not given"},
         {"phi", 0, OPTION_REAL, &phi, "PHI", -360, 360,
          "azimuth of the plane of incidence [degrees]; 0, the tangent, if not given"},
@@ -169,8 +157,8 @@ int command_plot(int argc, char **argv)
     if (status == OPTIONS_GO_ON && panels) {
         status = read_panels(panels, &settings);
     }
-    if (status == OPTIONS_GO_ON && angles) {
-        status = read_angles(angles, &settings);
+    if (status == OPTIONS_GO_ON && angles.count) {
+        status = read_angles(&angles, &settings);
     }
     if (status != OPTIONS_GO_ON) {
         return status;

@@ -64,7 +64,9 @@ void plot_job_prepare(struct plot_job *job)
         }
     }
     /* Where there are only delta lobes, nothing is known but where 0 is. */
-    job->slice = extent.peak > 0.0 ? plot_scale_decades(fmin(extent.least, extent.peak), extent.peak, SLICE_DECADES) : plot_scale_fixed(0.0, 1.0, 2.0);
+    job->slice = extent.peak > 0.0 ? plot_scale_decades(fmin(extent.least, extent.peak),
+                                                        extent.peak, SLICE_DECADES)
+                                   : plot_scale_fixed(0.0, 1.0, 2.0);
     job->lobe_log = plot_scale_decades(0.0, extent.lobe_peak, LOBE_DECADES);
     /* Sampling may find a little more than 1 where a model gives back just that. */
     job->albedo = plot_scale_fixed(0.0, albedo < 1.01 ? 1.0 : 0.25 * ceil(4.0 * albedo), 0.25);

@@ -54,13 +54,17 @@ int plot_scale_tick(const struct plot_scale *scale, int i, double *value)
 
 void plot_scale_label(const struct plot_scale *scale, double value, char *text, size_t size)
 {
-    double power = value > 0.0 ? log10(value) : 0.0;
-    if (scale->logarithmic && (power < -3.5 || power > 3.5)) {
-        snprintf(text, size, "10^{%s%d}", power < 0.0 ? "\xe2\x88\x92" : "",
-                 (int)fabs(floor(power + 0.5)));
-    } else if (value < 0.0) {
-        snprintf(text, size, "\xe2\x88\x92%.4g", -value);
-    } else {
-        snprintf(text, size, "%.4g", value);
+    const char *minus = value < 0.0 ? "\xe2\x88\x92" : "";
+    double absolute = fabs(value);
+    int power = absolute > 0.0 ? (int)floor(log10(absolute) + 1e-9) : 0;
+    if (power >= -3 && power <= 3) {
+        snprintf(text, size, "%s%.4g", minus, absolute);
+        return;
     }
+    char mantissa[16] = ""; /* of a power of ten on a logarithmic scale it goes without saying */
+    if (!scale->logarithmic) {
+        snprintf(mantissa, sizeof mantissa, "%.3g\xc2\xb7", absolute / pow(10.0, power));
+    }
+    snprintf(text, size, "%s%s10^{%s%d}", minus, mantissa, power < 0 ? "\xe2\x88\x92" : "",
+             power < 0 ? -power : power);
 }
