@@ -31,11 +31,12 @@ struct pt_neighbours {
     brdf_real between;
 };
 
-/* Whatever x is, even a NaN, the neighbours are texels. */
-static inline struct pt_neighbours pt_neighbours_of(int wrap, int size, brdf_real x)
+/* The texel's own middle is where it counts alone: half a texel from its border. */
+static inline struct pt_neighbours pt_bilinear_of(int wrap, int size, brdf_real x)
 {
     int last = size - 1;
     brdf_real at = pt_wrap(wrap, x) * (float)size - 0.5f;
+    /* Clamped, so that they are texels whatever x is, even a NaN. */
     brdf_real first = brdf_clamp(brdf_floor(at), -1.0f, (float)last);
     struct pt_neighbours n;
     n.between = brdf_clamp(at - first, 0.0f, 1.0f);
@@ -46,10 +47,14 @@ static inline struct pt_neighbours pt_neighbours_of(int wrap, int size, brdf_rea
     return n;
 }
 
-static inline brdf_int pt_nearest_of(int wrap, int size, brdf_real x)
+static inline struct pt_neighbours pt_nearest_of(int wrap, int size, brdf_real x)
 {
     brdf_real at = brdf_floor(pt_wrap(wrap, x) * (float)size);
-    return brdf_to_int(brdf_clamp(at, 0.0f, (float)(size - 1)));
+    struct pt_neighbours n;
+    n.between = 0.0f;
+    n.first = brdf_to_int(brdf_clamp(at, 0.0f, (float)(size - 1)));
+    n.second = n.first;
+    return n;
 }
 
 static inline brdf_rgb pt_texel(struct pt_world w, BRDF_GLOBAL const struct pt_texture *texture,
@@ -57,7 +62,7 @@ static inline brdf_rgb pt_texel(struct pt_world w, BRDF_GLOBAL const struct pt_t
 {
     BRDF_GLOBAL const float *texels = w.scene + texture->texels;
     brdf_int number = y * texture->width + x;
-    if (texture->decode < 0) {
+    if (PT_HAS(w.settings, PT_HAS_FLOAT_TEXELS) && texture->decode < 0) {
         return pt_quad_rgb(pt_load_quad(texels, number * 4));
     }
     BRDF_GLOBAL const float *values = w.scene + texture->decode;
@@ -66,25 +71,26 @@ static inline brdf_rgb pt_texel(struct pt_world w, BRDF_GLOBAL const struct pt_t
                          brdf_gather(values, codes >> 16 & 255));
 }
 
-static inline brdf_rgb pt_rgb_between(brdf_rgb a, brdf_rgb b, brdf_real x)
-{
-    return brdf_rgb_add(brdf_rgb_scale(a, 1.0f - x), brdf_rgb_scale(b, x));
-}
-
 static inline brdf_rgb pt_bitmap(struct pt_world w, BRDF_GLOBAL const struct pt_texture *texture,
                                  brdf_real u, brdf_real v)
 {
-    if (texture->nearest) {
-        return pt_texel(w, texture, pt_nearest_of(texture->wrap, texture->width, u),
-                        pt_nearest_of(texture->wrap, texture->height, v));
+    int nearest = texture->nearest;
+    int wrap = texture->wrap;
+    struct pt_neighbours x =
+        nearest ? pt_nearest_of(wrap, texture->width, u) : pt_bilinear_of(wrap, texture->width, u);
+    struct pt_neighbours y = nearest ? pt_nearest_of(wrap, texture->height, v)
+                                     : pt_bilinear_of(wrap, texture->height, v);
+    brdf_rgb sum = brdf_gray(0.0f);
+    /* A loop, so that a kernel holds the gathers of one texel and not of four. */
+    for (int corner = 0; corner < (nearest ? 1 : 4); ++corner) {
+        int right = corner & 1;
+        int lower = corner >> 1;
+        brdf_rgb c = pt_texel(w, texture, right ? x.second : x.first, lower ? y.second : y.first);
+        brdf_real weight =
+            (right ? x.between : 1.0f - x.between) * (lower ? y.between : 1.0f - y.between);
+        sum = brdf_rgb_add(sum, brdf_rgb_scale(c, weight));
     }
-    struct pt_neighbours x = pt_neighbours_of(texture->wrap, texture->width, u);
-    struct pt_neighbours y = pt_neighbours_of(texture->wrap, texture->height, v);
-    brdf_rgb first = pt_rgb_between(pt_texel(w, texture, x.first, y.first),
-                                    pt_texel(w, texture, x.second, y.first), x.between);
-    brdf_rgb second = pt_rgb_between(pt_texel(w, texture, x.first, y.second),
-                                     pt_texel(w, texture, x.second, y.second), x.between);
-    return pt_rgb_between(first, second, y.between);
+    return sum;
 }
 
 #endif

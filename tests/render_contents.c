@@ -9,11 +9,15 @@
 
 const char *const box_contents =
     "<emitter type='constant'><rgb name='radiance' value='0.1, 0.12, 0.2'/></emitter>\n"
-    "<bsdf type='diffuse' id='gray'><rgb name='reflectance' value='0.7, 0.6, 0.5'/></bsdf>\n"
+    "<bsdf type='diffuse' id='gray'><texture type='checkerboard' name='reflectance'>"
+    "<rgb name='color0' value='0.7, 0.6, 0.5'/><transform name='to_uv'><scale value='4.7'/>"
+    "</transform></texture></bsdf>\n"
     "<bsdf type='diffuse' id='green'><rgb name='reflectance' value='0.3, 0.6, 0.4'/></bsdf>\n"
     "<bsdf type='twosided' id='brushed'><bsdf type='roughconductor'>\n"
     "<string name='distribution' value='ggx'/><string name='material' value='Cu'/>\n"
-    "<float name='alpha_u' value='0.05'/><float name='alpha_v' value='0.4'/></bsdf></bsdf>\n"
+    "<texture type='bitmap' name='alpha_u'><string name='filename' value='spots.png'/>"
+    "<string name='wrap_mode' value='mirror'/><transform name='to_uv'><scale value='3'/>"
+    "</transform></texture><float name='alpha_v' value='0.4'/></bsdf></bsdf>\n"
     "<bsdf type='dielectric' id='glass'/>\n"
     "<shape type='rectangle'><transform name='to_world'><scale value='2'/>\n"
     "<rotate x='1' angle='-90'/></transform><ref id='gray'/></shape>\n"
@@ -50,11 +54,16 @@ const char *const mesh_contents =
     "<emitter type='envmap'><string name='filename' value='sky.exr'/>\n"
     "<transform name='to_world'><rotate x='0.6' z='0.8' angle='40'/></transform></emitter>\n"
     "<shape type='obj'><string name='filename' value='ball.obj'/><bsdf type='roughconductor'>\n"
-    "<float name='alpha_u' value='0.1'/><float name='alpha_v' value='0.3'/></bsdf></shape>\n"
+    "<texture type='bitmap' name='alpha'><string name='filename' value='spots.png'/>"
+    "<boolean name='raw' value='true'/></texture><ref id='sky' name='specular_reflectance'/>"
+    "</bsdf></shape>\n"
     "<shape type='obj'><string name='filename' value='tile.obj'/>\n"
     "<emitter type='area'><rgb name='radiance' value='5, 0, 5'/></emitter></shape>\n"
     "<shape type='rectangle'><transform name='to_world'><scale value='2'/>\n"
-    "<rotate x='1' angle='-90'/></transform><bsdf type='phong'/></shape>\n"
+    "<rotate x='1' angle='-90'/></transform><bsdf type='phong'>"
+    "<texture type='bitmap' id='sky' name='diffuse_reflectance'>"
+    "<string name='filename' value='sky.exr'/><string name='filter_type' value='nearest'/>"
+    "</texture></bsdf></shape>\n"
     "<shape type='sphere'><point name='center' x='-1' y='0.3' z='1.2'/>\n"
     "<float name='radius' value='0.3'/><bsdf type='phong'/></shape>\n";
 
@@ -85,6 +94,19 @@ static void write_map(void)
     assert_int_equal(brdfcl_image_write(&map, scene_file_write("sky.exr", ""), NULL, &error),
                      BRDF_OK);
     brdfcl_image_destroy(&map);
+}
+
+static void write_spots(void)
+{
+    struct brdfcl_image spots;
+    struct brdf_error error;
+    assert_int_equal(brdfcl_image_create(&spots, 13, 9, &error), BRDF_OK);
+    for (int i = 0; i < 13 * 9 * 3; ++i) {
+        spots.rgb[i] = (float)((i * 6389) % 97) / 96.0f;
+    }
+    assert_int_equal(brdfcl_image_write(&spots, scene_file_write("spots.png", ""), NULL, &error),
+                     BRDF_OK);
+    brdfcl_image_destroy(&spots);
 }
 
 /* A ball with bumps: `rings` rings of twice as many quads, each two triangles. */
@@ -124,5 +146,6 @@ void render_files_write(void)
 {
     write_tiles();
     write_map();
+    write_spots();
     write_ball(16);
 }

@@ -64,6 +64,7 @@ brdf_status world_textures(const struct brdfcl_scene *scene, struct world *world
         struct pt_texture record = scene->textures[i].record;
         if (record.kind == PT_TEXTURE_BITMAP) {
             settings->features |= PT_HAS_BITMAPS;
+            settings->features |= scene->textures[i].codes ? 0 : PT_HAS_FLOAT_TEXELS;
             status = put_texels(&scene->textures[i], &record, &decoders, words, error);
         }
         if (status == BRDF_OK) {
