@@ -27,5 +27,6 @@
 #include "model/hapke.h"
 #include "model/roughplastic.h"
 #include "model/principled.h"
+#include "model/wood.h"
 #include "model/merl.h"
 #include "model/measuredmix.h"
