@@ -7,6 +7,7 @@
 #include "info.h"
 #include "material.h"
 #include "merl.h"
+#include "rgl.h"
 #include "source.h"
 #include "status.h"
 #include "substance.h"

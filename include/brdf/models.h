@@ -30,3 +30,4 @@
 #include "model/wood.h"
 #include "model/merl.h"
 #include "model/measuredmix.h"
+#include "model/measured.h"

@@ -1,18 +1,15 @@
 /*
  * merl_read.c - read a MERL `.binary` file: first everything that can be wrong, then the numbers.
  */
-#define _POSIX_C_SOURCE 200809L
-
 #include "merl_format.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
+
+#include "regular_file.h"
 
 /* An open file, and what its header says of it. */
 struct source {
@@ -43,29 +40,6 @@ brdf_status brdf_merl_reserve(struct brdf_merl_file *file, struct brdf_error *er
     if (!file->rgb) {
         return brdf_fail(error, BRDF_OUT_OF_MEMORY, "no memory for the %zu bins of a MERL table",
                          file->bins);
-    }
-    return BRDF_OK;
-}
-
-/* Open without waiting for a pipe's other end, and refuse all that is not a regular file. */
-static brdf_status source_open(struct source *source, struct brdf_error *error)
-{
-    struct stat info;
-    int descriptor = open(source->path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-    if (descriptor < 0) {
-        return brdf_fail(error, BRDF_IO, "%s: cannot be opened: %s", source->path, strerror(errno));
-    }
-    if (fstat(descriptor, &info) != 0 || !S_ISREG(info.st_mode)) {
-        close(descriptor);
-        return brdf_fail(error, BRDF_IO, "%s: is not a regular file but %s", source->path,
-                         S_ISDIR(info.st_mode) ? "a folder" : "a pipe, socket or device");
-    }
-    source->size = (long long)info.st_size;
-    source->stream = fdopen(descriptor, "rb");
-    if (!source->stream) {
-        close(descriptor);
-        return brdf_fail(error, BRDF_OUT_OF_MEMORY, "%s: cannot be read: %s", source->path,
-                         strerror(errno));
     }
     return BRDF_OK;
 }
@@ -201,7 +175,7 @@ brdf_status brdf_merl_read(const char *path, enum brdf_merl_invalid invalid,
                          "BRDF_MERL_INVALID_...");
     }
     memset(file, 0, sizeof *file);
-    brdf_status status = source_open(&source, error);
+    brdf_status status = brdf_regular_file_open(path, &source.stream, &source.size, error);
     if (status != BRDF_OK) {
         return status;
     }

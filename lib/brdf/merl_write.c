@@ -1,18 +1,13 @@
 /*
  * merl_write.c - write a MERL `.binary` file, whole or not at all.
  */
-#define _POSIX_C_SOURCE 200809L
-
 #include "merl_format.h"
 
-#include <errno.h>
-#include <fcntl.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
+
+#include "regular_file.h"
 
 static void little_put(unsigned char *bytes, uint64_t word, int count)
 {
@@ -55,7 +50,6 @@ static int values_put(FILE *stream, const struct brdf_merl_file *file)
 static brdf_status file_check(const char *path, const struct brdf_merl_file *file,
                               struct brdf_error *error)
 {
-    struct stat info;
     if (!path || !file || !file->rgb || file->theta_h != BRDF_MERL_FILE_THETA_H ||
         file->theta_d != BRDF_MERL_FILE_THETA_D || file->phi_d != BRDF_MERL_FILE_PHI_D ||
         file->bins != (size_t)file->theta_h * (size_t)file->theta_d * (size_t)file->phi_d) {
@@ -68,46 +62,20 @@ static brdf_status file_check(const char *path, const struct brdf_merl_file *fil
                              path, i / 3);
         }
     }
-    if (stat(path, &info) == 0 && !S_ISREG(info.st_mode)) {
-        return brdf_fail(error, BRDF_IO, "%s: not written: it exists and is not a regular file",
-                         path);
-    }
     return BRDF_OK;
 }
 
 brdf_status brdf_merl_write(const char *path, const struct brdf_merl_file *file,
                             struct brdf_error *error)
 {
-    FILE *stream = NULL;
-    int descriptor = -1;
+    struct brdf_new_file out;
     brdf_status status = file_check(path, file, error);
+    if (status == BRDF_OK) {
+        status = brdf_new_file_begin(&out, path, error);
+    }
     if (status != BRDF_OK) {
         return status;
     }
-    size_t size = strlen(path) + 32;
-    char *temporary = malloc(size);
-    if (!temporary) {
-        return brdf_fail(error, BRDF_OUT_OF_MEMORY, "%s: no memory to write it", path);
-    }
-    snprintf(temporary, size, "%s.%ld.part", path, (long)getpid());
-    descriptor = open(temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor < 0) {
-        status = brdf_fail(error, BRDF_IO, "%s: cannot be made: %s", temporary, strerror(errno));
-        goto done;
-    }
-    stream = fdopen(descriptor, "wb");
-    if (!stream) {
-        close(descriptor);
-    }
-    int failed = !stream || header_put(stream, file) || values_put(stream, file);
-    if (stream && fclose(stream) != 0) {
-        failed = 1;
-    }
-    if (failed || rename(temporary, path) != 0) {
-        status = brdf_fail(error, BRDF_IO, "%s: not written: %s", path, strerror(errno));
-        unlink(temporary);
-    }
-done:
-    free(temporary);
-    return status;
+    int failed = header_put(out.stream, file) || values_put(out.stream, file);
+    return brdf_new_file_end(&out, failed, error);
 }

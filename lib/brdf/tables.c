@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "merl_table.h"
+#include "rgl_table.h"
 
 /* A tabulated model's measurement has a format of its own; this is the list of their readers. */
 static const struct {
@@ -13,6 +14,7 @@ static const struct {
 } readers[] = {
     {BRDF_MODEL_MERL, brdf_merl_table_load},
     {BRDF_MODEL_MEASUREDMIX, brdf_merl_table_load},
+    {BRDF_MODEL_MEASURED, brdf_rgl_table_load},
 };
 
 int brdf_file_number(const struct brdf_model_info *model,

@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include <brdf/merl.h>
+#include <brdf/rgl.h>
 
 /*
  * Diffuse, and a glossy reciprocal lobe about the normal: something of everything, in colour. The
@@ -41,12 +42,33 @@ static brdf_status merl_write(const char *path, int number, struct brdf_error *e
     return status;
 }
 
+static void painted_channels(const double wo[3], const double wi[3], int channels,
+                             const float *wavelengths, double *values, void *data)
+{
+    (void)channels; /* 3, for there are no wavelengths */
+    (void)wavelengths;
+    painted(wo, wi, values, data);
+}
+
+static brdf_status rgl_write(const char *path, struct brdf_error *error)
+{
+    struct brdf_rgl_file file;
+    const struct brdf_rgl_grid grid = {.description = "diffuse, and a glossy lobe"};
+    brdf_status status = brdf_rgl_make(painted_channels, NULL, &grid, &file, error);
+    if (!status) {
+        status = brdf_rgl_write(path, &file, error);
+        brdf_rgl_free(&file);
+    }
+    return status;
+}
+
 /* Every format that a FILE parameter can be of, found by a word of the parameter's meaning. */
 static const struct maker {
     const char *word;
     brdf_status (*write)(const char *path, int number, struct brdf_error *error);
 } makers[] = {
     {"MERL", merl_write},
+    {"RGL", rgl_write},
 };
 
 static brdf_status measurement_write(const struct brdf_parameter_info *parameter, const char *path,

@@ -1,0 +1,28 @@
+/*
+ * rgl_normals.h - normals out of retro-reflection (internal).
+ */
+#ifndef BRDF_RGL_NORMALS_H
+#define BRDF_RGL_NORMALS_H
+
+#include "brdf/status.h"
+
+/* Two grids by direction (rgl.h), [row][column]; the arrays belong to the caller. */
+struct brdf_rgl_normals {
+    int rows; /* of an isotropic distribution all rows are the same */
+    int columns;
+    int isotropic;
+    double *d;     /* [1/sr] */
+    double *sigma; /* 1 at the normal */
+};
+
+/* The direction of a node of such a grid. */
+void brdf_rgl_direction(int row, int rows, int column, int columns, double w[3]);
+
+/*
+ * Fill d and sigma from what is sent back, f(w, w) cos(theta) at every node up to a factor, not
+ * negative and not all 0. Errors: BRDF_OUT_OF_MEMORY.
+ */
+brdf_status brdf_rgl_normals_find(struct brdf_rgl_normals *normals, const double *back,
+                                  struct brdf_error *error);
+
+#endif

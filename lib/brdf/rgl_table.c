@@ -1,0 +1,255 @@
+/*
+ * rgl_table.c - build the table of the model `measured`: the file's arrays, normalised, integrated
+ * and laid out so that what is blended lies side by side.
+ */
+#define _POSIX_C_SOURCE 200809L
+
+#include "rgl_table.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "brdf/model/measured.h"
+#include "rgl_format.h"
+
+static const double pi = 3.14159265358979323846;
+
+/* A file with one theta_i holds for all of them: the table has it twice. */
+static int theta_slices(const struct brdf_rgl_file *file)
+{
+    return file->theta_count > 1 ? file->theta_count : 2;
+}
+
+/* The part of the file that slice (phi, theta) of the table is made of. */
+static size_t slice_source(const struct brdf_rgl_file *file, int slice)
+{
+    int thetas = theta_slices(file);
+    int theta = slice % thetas;
+    return (size_t)(slice / thetas * file->theta_count +
+                    (theta < file->theta_count ? theta : file->theta_count - 1));
+}
+
+/* Are the rows of a grid by direction all the same? Then one cell across is enough. */
+static int rows_needed(const float *grid, int rows, int columns)
+{
+    for (int i = columns; i < rows * columns; ++i) {
+        if (grid[i] != grid[i - columns]) {
+            return rows;
+        }
+    }
+    return 2;
+}
+
+static void header_build(float *table, const struct brdf_rgl_file *file)
+{
+    int turn = file->phi_count > 2
+                   ? (int)lrint(2.0 * pi /
+                                ((double)file->phi_i[file->phi_count - 1] - (double)file->phi_i[0]))
+                   : 1;
+    table[BRDF_MEASURED_PHIS] = (float)file->phi_count;
+    table[BRDF_MEASURED_THETAS] = (float)theta_slices(file);
+    table[BRDF_MEASURED_VNDF_ROWS] = (float)file->vndf_rows;
+    table[BRDF_MEASURED_VNDF_COLUMNS] = (float)file->vndf_columns;
+    table[BRDF_MEASURED_SIZE] = (float)file->size;
+    table[BRDF_MEASURED_NDF_ROWS] =
+        (float)rows_needed(file->ndf, file->ndf_rows, file->ndf_columns);
+    table[BRDF_MEASURED_NDF_COLUMNS] = (float)file->ndf_columns;
+    table[BRDF_MEASURED_SIGMA_ROWS] =
+        (float)rows_needed(file->sigma, file->sigma_rows, file->sigma_columns);
+    table[BRDF_MEASURED_SIGMA_COLUMNS] = (float)file->sigma_columns;
+    table[BRDF_MEASURED_ISOTROPIC] = file->phi_count <= 2 ? 1.0f : 0.0f;
+    table[BRDF_MEASURED_SYMMETRY] = turn == 2 ? 2.0f : turn == 4 ? 4.0f : 1.0f;
+    table[BRDF_MEASURED_JACOBIAN] = file->jacobian ? 1.0f : 0.0f;
+}
+
+static void knots_build(float *table, const struct brdf_measured_layout *layout,
+                        const struct brdf_rgl_file *file)
+{
+    float *theta = table + layout->theta_words;
+    memcpy(table + layout->phi_words, file->phi_i, (size_t)file->phi_count * sizeof *table);
+    if (file->theta_count > 1) {
+        memcpy(theta, file->theta_i, (size_t)file->theta_count * sizeof *table);
+    } else {
+        theta[0] = 0.0f;
+        theta[1] = (float)(0.5 * pi);
+    }
+}
+
+static double node_value(const float *data, size_t node)
+{
+    return data[node] > 0.0f ? (double)data[node] : 0.0; /* noise may be negative */
+}
+
+/* The integral of a bilinear density over the square; 0 if there is nothing. */
+static double map_integral(const float *data, int rows, int columns)
+{
+    double sum = 0.0;
+    for (int row = 0; row < rows; ++row) {
+        for (int column = 0; column < columns; ++column) {
+            double part = (row == 0 || row == rows - 1 ? 0.5 : 1.0) *
+                          (column == 0 || column == columns - 1 ? 0.5 : 1.0);
+            sum += part * node_value(data, (size_t)(row * columns + column));
+        }
+    }
+    return sum / ((rows - 1.0) * (columns - 1.0));
+}
+
+/*
+ * One slice of a map: densities, and their integrals up to each node. Where there is nothing at
+ * all, a density of 1 keeps every sample finite.
+ */
+static void slice_build(float *table, const struct brdf_map *map, int slice, const float *data)
+{
+    size_t apart = 2 * (size_t)(map->thetas * map->phis);
+    float *row_words = table + map->row_words + 2 * slice;
+    float *node_words = table + map->node_words + 2 * slice;
+    double total = map_integral(data, map->rows, map->columns);
+    double norm = total > 1e-30 ? 1.0 / total : 0.0;
+    double flat = total > 1e-30 ? 0.0 : 1.0;
+    double sum = 0.0;
+    double before = 0.0;
+    for (int row = 0; row < map->rows; ++row) {
+        double along = 0.0;
+        double left = 0.0;
+        for (int column = 0; column < map->columns; ++column) {
+            size_t node = (size_t)row * (size_t)map->columns + (size_t)column;
+            double value = flat + norm * node_value(data, node);
+            along += column > 0 ? 0.5 * (left + value) / (map->columns - 1.0) : 0.0;
+            node_words[apart * node] = (float)value;
+            node_words[apart * node + 1] = (float)along;
+            left = value;
+        }
+        sum += row > 0 ? 0.5 * (before + along) / (map->rows - 1.0) : 0.0;
+        row_words[apart * (size_t)row] = (float)sum;
+        row_words[apart * (size_t)row + 1] = (float)along;
+        before = along;
+    }
+}
+
+/* Colours of one slice, each with the density that the map of luminance has there. */
+static void colors_build(float *table, const struct brdf_measured_layout *layout, int slice,
+                         const float *values)
+{
+    size_t slices = (size_t)(layout->luminance.thetas * layout->luminance.phis);
+    size_t nodes = (size_t)layout->luminance.rows * (size_t)layout->luminance.columns;
+    const float *density = table + layout->luminance.node_words;
+    for (size_t node = 0; node < nodes; ++node) {
+        size_t place = node * slices + (size_t)slice;
+        float *color = table + layout->color_words + 4 * place;
+        for (size_t channel = 0; channel < 3; ++channel) {
+            color[channel] = values[channel * nodes + node];
+        }
+        color[3] = density[2 * place];
+    }
+}
+
+/* Every cell of a grid as its four corners. */
+static void cells_build(float *words, const float *grid, int rows, int columns)
+{
+    for (int row = 0; row < rows - 1; ++row) {
+        for (int column = 0; column < columns - 1; ++column) {
+            const float *corner = grid + row * columns + column;
+            for (int k = 0; k < 4; ++k) {
+                float value = corner[k / 2 * columns + k % 2];
+                *words++ = value > 0.0f ? value : 0.0f;
+            }
+        }
+    }
+}
+
+static void normals_fill(float *table, const struct brdf_measured_layout *layout,
+                         const struct brdf_rgl_file *file)
+{
+    size_t vndf = (size_t)file->vndf_rows * (size_t)file->vndf_columns;
+    knots_build(table, layout, file);
+    for (int slice = 0; slice < layout->vndf.thetas * layout->vndf.phis; ++slice) {
+        slice_build(table, &layout->vndf, slice, file->vndf + slice_source(file, slice) * vndf);
+    }
+    cells_build(table + layout->ndf_words, file->ndf, layout->ndf_rows, layout->ndf_columns);
+    cells_build(table + layout->sigma_words, file->sigma, layout->sigma_rows,
+                layout->sigma_columns);
+}
+
+static void values_fill(float *table, const struct brdf_measured_layout *layout,
+                        const struct brdf_rgl_file *file)
+{
+    size_t square = (size_t)file->size * (size_t)file->size;
+    for (int slice = 0; slice < layout->luminance.thetas * layout->luminance.phis; ++slice) {
+        size_t source = slice_source(file, slice);
+        slice_build(table, &layout->luminance, slice, file->luminance + source * square);
+        colors_build(table, layout, slice, file->values + source * 3 * square);
+    }
+}
+
+/* About how many words the table will have; to be known before ints are trusted to hold it. */
+static double words_estimate(const struct brdf_rgl_file *file)
+{
+    double views = (double)file->phi_count * theta_slices(file);
+    return views * (2.0 * file->vndf_rows * (file->vndf_columns + 1.0) +
+                    6.0 * file->size * (file->size + 1.0)) +
+           4.0 * file->ndf_rows * file->ndf_columns + 4.0 * file->sigma_rows * file->sigma_columns;
+}
+
+/* Memory for a file's table, with its header and the normals. */
+static brdf_status table_begin(const struct brdf_rgl_file *file, float **table, int *words,
+                               struct brdf_error *error)
+{
+    float header[BRDF_MEASURED_HEADER] = {0.0f};
+    void *memory = NULL;
+    if (words_estimate(file) > 1e9) {
+        return brdf_fail(error, BRDF_UNSUPPORTED,
+                         "a measurement of %d x %d directions, %d x %d normals and %d x %d values "
+                         "needs a table of more than 4 GB",
+                         file->phi_count, file->theta_count, file->vndf_rows, file->vndf_columns,
+                         file->size, file->size);
+    }
+    header_build(header, file);
+    struct brdf_measured_layout layout = brdf_measured_layout_of(header);
+    size_t bytes = (size_t)layout.words * sizeof(float);
+    if (posix_memalign(&memory, 64, bytes) != 0) {
+        return brdf_fail(error, BRDF_OUT_OF_MEMORY, "no memory for a table of %d words",
+                         layout.words);
+    }
+    memset(memory, 0, bytes);
+    memcpy(memory, header, sizeof header);
+    *table = memory;
+    *words = layout.words;
+    normals_fill(*table, &layout, file);
+    return BRDF_OK;
+}
+
+brdf_status brdf_rgl_table_of_normals(const struct brdf_rgl_file *file, float **table,
+                                      struct brdf_error *error)
+{
+    int words;
+    return table_begin(file, table, &words, error);
+}
+
+brdf_status brdf_rgl_table_build(struct brdf_rgl_file *file, float **table, size_t *words,
+                                 struct brdf_error *error)
+{
+    float *result;
+    int count;
+    brdf_status status = brdf_rgl_to_rgb(file, error);
+    status = status ? status : table_begin(file, &result, &count, error);
+    if (!status) {
+        struct brdf_measured_layout layout = brdf_measured_layout_of(result);
+        values_fill(result, &layout, file);
+        *table = result;
+        *words = (size_t)count;
+    }
+    return status;
+}
+
+brdf_status brdf_rgl_table_load(const char *path, float **table, size_t *words,
+                                struct brdf_error *error)
+{
+    struct brdf_rgl_file file;
+    brdf_status status = brdf_rgl_read(path, &file, error);
+    if (!status) {
+        status = brdf_rgl_table_build(&file, table, words, error);
+        brdf_rgl_free(&file);
+    }
+    return status;
+}
