@@ -7,6 +7,7 @@
 
 #include <brdf/info.h>
 #include <brdf/merl.h>
+#include <brdf/rgl.h>
 
 #include "arrays.h"
 
@@ -19,47 +20,80 @@ static void copper(const double wo[3], const double wi[3], double rgb[3], void *
     rgb[2] = (double)f.b;
 }
 
-/* The file of a MERL measurement of rough copper. */
-static brdf_status write_copper(const char *path, struct brdf_error *error)
+static void copper_channels(const double wo[3], const double wi[3], int channels,
+                            const float *wavelengths, double *values, void *data)
 {
-    struct brdf_bsdf *bsdf = NULL;
+    (void)channels; /* 3, for there are no wavelengths */
+    (void)wavelengths;
+    copper(wo, wi, values, data);
+}
+
+static brdf_status write_merl(const char *path, struct brdf_bsdf *bsdf, struct brdf_error *error)
+{
     struct brdf_merl_file file;
-    memset(&file, 0, sizeof file);
-    brdf_status status = brdf_bsdf_create("roughconductor:material=Cu,alpha=0.2", &bsdf, error);
-    if (!status) {
-        status = brdf_merl_make(copper, bsdf, &file, error);
-    }
+    brdf_status status = brdf_merl_make(copper, bsdf, &file, error);
     if (!status) {
         status = brdf_merl_write(path, &file, error);
+        brdf_merl_free(&file);
     }
-    brdf_merl_free(&file);
-    brdf_bsdf_destroy(bsdf);
     return status;
 }
 
-/* A material of a model whose files are all MERL's; one does for all of them. */
-static brdf_status create_merl(const struct brdf_model_info *model, struct brdf_bsdf **out,
-                               struct brdf_error *error)
+static brdf_status write_rgl(const char *path, struct brdf_bsdf *bsdf, struct brdf_error *error)
+{
+    struct brdf_rgl_file file;
+    brdf_status status = brdf_rgl_make(copper_channels, bsdf, NULL, &file, error);
+    if (!status) {
+        status = brdf_rgl_write(path, &file, error);
+        brdf_rgl_free(&file);
+    }
+    return status;
+}
+
+/* How a measurement of rough copper is written in the format of each model's files. */
+static const struct format {
+    const char *model;
+    brdf_status (*write)(const char *path, struct brdf_bsdf *bsdf, struct brdf_error *error);
+} formats[] = {
+    {"merl", write_merl},
+    {"measuredmix", write_merl},
+    {"measured", write_rgl},
+};
+
+/* A material of the model, with one file for all those that it may have. */
+static brdf_status create_measured(const struct brdf_model_info *model, const char *path,
+                                   struct brdf_bsdf **out, struct brdf_error *error)
+{
+    struct brdf_setting settings[4];
+    size_t count = 0;
+    for (size_t i = 0; i < model->parameter_count && count < 4; ++i) {
+        if (model->parameters[i].kind == BRDF_KIND_FILE) {
+            settings[count++] = brdf_setting_text(model->parameters[i].name, path);
+        }
+    }
+    return brdf_bsdf_create_from(model->name, settings, count, out, error);
+}
+
+static brdf_status create_copper(const struct brdf_model_info *model, const struct format *format,
+                                 struct brdf_bsdf **out, struct brdf_error *error)
 {
     const char *folder = getenv("TMPDIR");
     char path[1024];
     int length =
-        snprintf(path, sizeof path, "%s/brdfcl-merl.XXXXXX", folder && *folder ? folder : "/tmp");
+        snprintf(path, sizeof path, "%s/brdfcl-bench.XXXXXX", folder && *folder ? folder : "/tmp");
     int fd = length < (int)sizeof path ? mkstemp(path) : -1;
     if (fd < 0) {
         return brdf_fail(error, BRDF_IO, "%s: no temporary file can be made", path);
     }
     close(fd);
-    brdf_status status = write_copper(path, error);
+    struct brdf_bsdf *bsdf = NULL;
+    brdf_status status = brdf_bsdf_create("roughconductor:material=Cu,alpha=0.2", &bsdf, error);
     if (!status) {
-        struct brdf_setting settings[4];
-        size_t count = 0;
-        for (size_t i = 0; i < model->parameter_count && count < 4; ++i) {
-            if (model->parameters[i].kind == BRDF_KIND_FILE) {
-                settings[count++] = brdf_setting_text(model->parameters[i].name, path);
-            }
-        }
-        status = brdf_bsdf_create_from(model->name, settings, count, out, error);
+        status = format->write(path, bsdf, error);
+    }
+    brdf_bsdf_destroy(bsdf);
+    if (!status) {
+        status = create_measured(model, path, out, error);
     }
     unlink(path);
     return status;
@@ -73,8 +107,10 @@ brdf_status measured_bsdf_create(const char *description, struct brdf_bsdf **out
     if (!model || !(model->flags & BRDF_TABULATED)) {
         return brdf_bsdf_create(description, out, error);
     }
-    if (strcmp(model->name, "merl") == 0 || strcmp(model->name, "measuredmix") == 0) {
-        return create_merl(model, out, error);
+    for (size_t i = 0; i < sizeof formats / sizeof formats[0]; ++i) {
+        if (strcmp(model->name, formats[i].model) == 0) {
+            return create_copper(model, &formats[i], out, error);
+        }
     }
     return brdf_fail(error, BRDF_UNSUPPORTED, "%s needs a file: name it as in '%s:filename=FILE'",
                      model->name, model->name);

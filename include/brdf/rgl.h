@@ -84,25 +84,26 @@ BRDF_API brdf_status brdf_rgl_write(const char *path, const struct brdf_rgl_file
 typedef void brdf_rgl_function(const double wo[3], const double wi[3], int channels,
                                const float *wavelengths, double *values, void *data);
 
-/* How finely to sample a function, and what it is called. Zeros stand for what the comments say. */
+/* How finely to sample a function. A zero stands for what comes last in its comment. */
 struct brdf_rgl_grid {
-    int phis;     /* azimuths of wo, 1: isotropic, else >= 3, over `turn` */
-    int thetas;   /* polar angles of wo; 8 */
-    int symmetry; /* 1: azimuths over a whole turn, 2: half, 4: a quarter; 1 */
-    int normals;  /* columns of ndf, sigma and vndf; 128, or 64 if anisotropic */
-    int size;     /* of luminance and values; 32 */
-    int channels; /* 3 */
-    const float
-        *wavelengths; /* `channels` of them [nm], ascending, for a spectral file; NULL: RGB */
-    const char *description; /* "" */
+    int phis;                 /* azimuths of wo, 1: isotropic, else >= 3; 1 */
+    int thetas;               /* polar angles of wo; 8 */
+    int symmetry;             /* 1: azimuths over a whole turn, 2: half, 4: a quarter; 1 */
+    int normals;              /* columns of ndf, sigma and vndf; 128, or 64 if anisotropic */
+    int size;                 /* of luminance and values; 32 */
+    int channels;             /* 3, or how many wavelengths; 3 */
+    const float *wavelengths; /* ascending [nm], for a spectral file; NULL: RGB */
+    const char *description;  /* "" */
 };
 
 /*
  * Make the values of a file from a function as the paper makes them from measurements: the
  * distribution of normals from retro-reflection (wi = wo) by power iterations [section 4.1], the
- * visible normals from that, then the function where the warp by these leads to. Grid points whose
- * wi is below the surface repeat a neighbour's value. Errors: BRDF_BAD_ARGUMENT (a null pointer, a
- * grid out of range, f without any retro-reflection at all), BRDF_OUT_OF_MEMORY.
+ * visible normals from that, then the function where the warp by these leads to. Deviations: one
+ * normal in a hundred is spread evenly, so that no direction is out of reach; grid points below the
+ * surface beside valid ones repeat these. No direction it asks for has a cosine below 0.001. `grid`
+ * may be NULL. Errors: BRDF_BAD_ARGUMENT (a null pointer, a grid out of range, a value that is not
+ * finite or above 1e9), BRDF_OUT_OF_MEMORY.
  */
 BRDF_API brdf_status brdf_rgl_make(brdf_rgl_function *f, void *data,
                                    const struct brdf_rgl_grid *grid, struct brdf_rgl_file *file,

@@ -19,31 +19,9 @@
 
 #include "../azimuth.h"
 #include "../math.h"
+#include "../measurement.h"
 #include "../parameters.h"
 #include "../sample.h"
-#include "../warp2d.h"
-
-/*
- * The table, in words: counts (below), the phi_i and theta_i of the slices, the map of visible
- * normals, that of luminance, for each node of the latter and each slice the colour and the
- * density of luminance, and for each cell of the grids of D and of sigma its corners. Every part
- * begins at a multiple of 16 words.
- */
-enum brdf_measured_word {
-    BRDF_MEASURED_PHIS,      /* of wo, >= 1 */
-    BRDF_MEASURED_THETAS,    /* of wo, >= 2 */
-    BRDF_MEASURED_VNDF_ROWS, /* azimuths of the normal */
-    BRDF_MEASURED_VNDF_COLUMNS,
-    BRDF_MEASURED_SIZE, /* of luminance and colours, along both sides */
-    BRDF_MEASURED_NDF_ROWS,
-    BRDF_MEASURED_NDF_COLUMNS,
-    BRDF_MEASURED_SIGMA_ROWS,
-    BRDF_MEASURED_SIGMA_COLUMNS,
-    BRDF_MEASURED_ISOTROPIC, /* 1: normals are relative to the azimuth of wo */
-    BRDF_MEASURED_SYMMETRY,  /* 2: azimuths of wo over half a turn, 4: a quarter; else 1 */
-    BRDF_MEASURED_JACOBIAN,  /* 0: colours are f cos(theta_i) themselves */
-    BRDF_MEASURED_HEADER = 16
-};
 
 #define BRDF_MEASURED_PARAMETERS(P)                                                                \
     P(REAL, scale, 1.0f, 0.0f, 100.0f, "1", "factor on the measured values")                       \
@@ -52,72 +30,6 @@ enum brdf_measured_word {
 struct brdf_measured {
     BRDF_MEASURED_PARAMETERS(BRDF_FIELD)
 };
-
-/* Where everything is; one for all lanes. */
-struct brdf_measured_layout {
-    int phi_words;
-    int theta_words;
-    struct brdf_map vndf;
-    struct brdf_map luminance;
-    int color_words;
-    int ndf_rows;
-    int ndf_columns;
-    int ndf_words;
-    int sigma_rows;
-    int sigma_columns;
-    int sigma_words;
-    int isotropic;
-    int symmetry;
-    int jacobian;
-    int words; /* all */
-};
-
-/* The next multiple of 16, a cache line of words. */
-static inline int brdf_measured_line(int words)
-{
-    return (words + 15) / 16 * 16;
-}
-
-static inline struct brdf_measured_layout brdf_measured_layout_of(BRDF_GLOBAL const float *table)
-{
-    struct brdf_measured_layout layout;
-    int phis = (int)table[BRDF_MEASURED_PHIS];
-    int thetas = (int)table[BRDF_MEASURED_THETAS];
-    int size = (int)table[BRDF_MEASURED_SIZE];
-    layout.phi_words = BRDF_MEASURED_HEADER;
-    layout.theta_words = layout.phi_words + brdf_measured_line(phis);
-    layout.vndf.rows = (int)table[BRDF_MEASURED_VNDF_ROWS];
-    layout.vndf.columns = (int)table[BRDF_MEASURED_VNDF_COLUMNS];
-    layout.vndf.thetas = thetas;
-    layout.vndf.phis = phis;
-    layout.vndf.row_words = layout.theta_words + brdf_measured_line(thetas);
-    layout.vndf.node_words =
-        layout.vndf.row_words + brdf_measured_line(2 * phis * thetas * layout.vndf.rows);
-    layout.luminance.rows = size;
-    layout.luminance.columns = size;
-    layout.luminance.thetas = thetas;
-    layout.luminance.phis = phis;
-    layout.luminance.row_words =
-        layout.vndf.node_words +
-        brdf_measured_line(2 * phis * thetas * layout.vndf.rows * layout.vndf.columns);
-    layout.luminance.node_words =
-        layout.luminance.row_words + brdf_measured_line(2 * phis * thetas * size);
-    layout.color_words =
-        layout.luminance.node_words + brdf_measured_line(2 * phis * thetas * size * size);
-    layout.ndf_rows = (int)table[BRDF_MEASURED_NDF_ROWS];
-    layout.ndf_columns = (int)table[BRDF_MEASURED_NDF_COLUMNS];
-    layout.ndf_words = layout.color_words + brdf_measured_line(4 * phis * thetas * size * size);
-    layout.sigma_rows = (int)table[BRDF_MEASURED_SIGMA_ROWS];
-    layout.sigma_columns = (int)table[BRDF_MEASURED_SIGMA_COLUMNS];
-    layout.sigma_words =
-        layout.ndf_words + brdf_measured_line(4 * (layout.ndf_rows - 1) * (layout.ndf_columns - 1));
-    layout.words = layout.sigma_words +
-                   brdf_measured_line(4 * (layout.sigma_rows - 1) * (layout.sigma_columns - 1));
-    layout.isotropic = (int)table[BRDF_MEASURED_ISOTROPIC];
-    layout.symmetry = (int)table[BRDF_MEASURED_SYMMETRY];
-    layout.jacobian = (int)table[BRDF_MEASURED_JACOBIAN];
-    return layout;
-}
 
 /* The interval of ascending knots around x, and the place in it, 0 to 1. */
 struct brdf_measured_interval {
