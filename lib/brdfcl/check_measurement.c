@@ -50,11 +50,11 @@ static void painted_channels(const double wo[3], const double wi[3], int channel
     painted(wo, wi, values, data);
 }
 
-static brdf_status rgl_write(const char *path, struct brdf_error *error)
+static brdf_status rgl_write(const char *path, int number, struct brdf_error *error)
 {
     struct brdf_rgl_file file;
     const struct brdf_rgl_grid grid = {.description = "diffuse, and a glossy lobe"};
-    brdf_status status = brdf_rgl_make(painted_channels, NULL, &grid, &file, error);
+    brdf_status status = brdf_rgl_make(painted_channels, &number, &grid, &file, error);
     if (!status) {
         status = brdf_rgl_write(path, &file, error);
         brdf_rgl_free(&file);
