@@ -3,6 +3,7 @@
 #
 # In a copy of the tree, with the objects that are already built: adds a model and nothing else,
 # builds, and asks the generic tests for it: values, energy, sampling, OpenCL's bits, and the command.
+# A second model that lies about its density, its energy and its reciprocity must be found out.
 set -eu
 
 BUILD=${BUILD:-build}
@@ -77,7 +78,13 @@ static inline struct brdf_sample brdf_dummy_sample(struct brdf_dummy p, brdf_vec
 BRDF_MODEL(dummy, DUMMY, BRDF_REFLECTION | BRDF_RECIPROCAL, "a test", "nobody")
 #endif
 EOF
-echo '#include "model/dummy.h"' >>include/brdf/models.h
+sed -e 's/dummy/liar/g' -e 's/DUMMY/LIAR/g' \
+    -e 's/f = f \* (wo.z \* wi.z)/f = f * (4.0f + wo.z)/' \
+    -e 's/0.5f \* BRDF_1_PI/0.4f * BRDF_1_PI/' -e 's/brdf_warp_sphere(0.5f \* u.x, u.y)/brdf_warp_sphere(0.45f * u.x, u.y)/' \
+    include/brdf/model/dummy.h >include/brdf/model/liar.h
+for model in dummy liar; do
+    echo "#include \"model/$model.h\"" >>include/brdf/models.h
+done
 
 tests='test_models_values test_models_energy test_models_sampling test_models_opencl'
 programs=
@@ -105,5 +112,20 @@ done
 if [ -x build/brdfcl ]; then
     build/brdfcl models dummy | grep -q strength
     build/brdfcl models | grep -q dummy
+    build/brdfcl test dummy:shape=round --samples 100000 --calls 10000 >log || {
+        cat log
+        exit 1
+    }
+    if build/brdfcl test liar:shape=round --samples 100000 --calls 10000 >log; then
+        echo "the lies of a model were not found"
+        exit 1
+    fi
+    for lie in reciprocal 'weight = f cos / pdf' 'mass of pdf' 'chi-square' energy 'albedo by both ways'; do
+        grep -q "^$lie .* FAIL" log || {
+            cat log
+            echo "a lie was not found: $lie"
+            exit 1
+        }
+    done
 fi
 echo "one file and one line: $(grep -c . include/brdf/model/dummy.h) lines"

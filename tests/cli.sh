@@ -30,7 +30,7 @@ expect 0 --version
 says out '^brdfcl [0-9]'
 expect 2
 refused 2 "did you mean 'render'" rendr scene.xml
-for command in render models devices eval sample albedo check bench; do
+for command in render models devices eval sample albedo test check bench; do
     last="$command --help"
     expect 0 "$command" --help
     says out "^usage: brdfcl $command"

@@ -1,5 +1,5 @@
 #!/bin/sh
-# cli_statistics.sh - the commands that measure a material: brdfcl albedo.
+# cli_statistics.sh - the commands that measure and test materials: brdfcl albedo, brdfcl test.
 set -eu
 
 . "$(dirname "$0")/support_cli"
@@ -37,5 +37,40 @@ refused 1 'from 1 to 256' albedo diffuse --angles 0
 refused 1 'black' albedo diffuse --inside
 refused 1 "did you mean" albedo difuse
 refused 1 '/nonexistent/' albedo diffuse --json /nonexistent/a.json
+
+# --- test ------------------------------------------------------------------------------------------
+
+few='--samples 20000 --calls 2000'
+last='test roughconductor'
+expect 0 test roughconductor:alpha=0.3 $few
+says out '^finite and not negative .* <= 0 .* pass'
+says out '^reciprocal .* pass'
+says out '^isotropic .* -  .*does not claim'
+says out '^chi-square  *60 .* >= 0.002008 .* pass .*degrees of freedom'
+says out ' passed, 0 failed, 0 open$'
+last='test dielectric'
+expect 0 test dielectric $few
+says out '^chi-square  *135 .* no samples but deltas'
+last='test ward'
+expect 1 test ward:variant=ward,alpha=0.3,specular_reflectance=1 $few
+says out '^energy  *0  *1.29.* FAIL'
+says out '^chi-square .* pass'
+last='test --json -'
+expect 0 test lommelseeliger $few --json - --seed 7
+cp out test.json
+holds 'not valid JSON' valid_json test.json
+for line in '"seed": 7' '"bsdf": "lommelseeliger"' '"verdict": "pass"' '"failed": 0'; do
+    says test.json "$line"
+done
+rm test.json
+last='test --all'
+expect 0 test --all lommelseeliger $few
+says out '^lommelseeliger  *[0-9][0-9]* .* 0$'
+says out ' 0 failed'
+refused 2 'one material' test
+refused 2 'one material' test diffuse phong
+refused 1 "did you mean 'phong'" test --all phnog
+refused 1 'no model is called' test nothing
+refused 1 'from 10000' test diffuse --samples 1
 
 finish

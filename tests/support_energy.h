@@ -6,8 +6,6 @@
 
 #include <brdf/material.h>
 
-#include "support_sphere.h"
-
 enum { ENERGY_COSINES = 5 };
 
 /* The cosines of wo that known albedos are for: 0.1, 0.25, 0.5, 0.75, 1. */
@@ -23,20 +21,9 @@ struct energy_known {
 /* A direction by its cosine with the normal and its azimuth [rad]. */
 brdf_vec3 energy_direction(double cosine, double phi);
 
-struct energy_mean {
-    double value;
-    double error; /* what rare samples leave uncertain */
-};
-
-/*
- * The mean weight of samples that are no deltas: what the integral of f |cos| must be. Samples of
- * weight up to 1 are many and even; `error` comes from the rare ones above it (into a thinner
- * medium).
- */
-struct energy_mean energy_by_sampling(const struct brdf_bsdf *bsdf, brdf_vec3 wo);
-
-/* The integral of f |cos|, in cells that follow the samples. */
-struct sphere_sum energy_by_quadrature(const struct brdf_bsdf *bsdf, brdf_vec3 wo);
+/* The mean weight of samples, and the integral of f |cos| (brdflab/energy.h). */
+double energy_by_sampling(const struct brdf_bsdf *bsdf, brdf_vec3 wo);
+double energy_by_quadrature(const struct brdf_bsdf *bsdf, brdf_vec3 wo);
 
 /* Rows against both; what differs is printed. Returns the number of failures. */
 int energy_check_known(const struct energy_known *rows, size_t count);

@@ -1,9 +1,7 @@
 /*
  * support_models.h - every check over every model: cases, and cmocka tests made of both.
  *
- * A new model gets all of this without a word here: its cases are its initial parameters and random
- * ones from all over their ranges, as info.h tells them. What deserves a case of its own is a line
- * in support_models.c.
+ * A new model gets all of this without a word here: brdflab/cases.h makes its cases.
  */
 #ifndef SUPPORT_MODELS_H
 #define SUPPORT_MODELS_H
@@ -13,21 +11,12 @@
 #include <brdf/info.h>
 #include <brdf/material.h>
 
-#include "bsdf.h"
-#include "check_cases.h"
-
-/* A material to be checked. Evaluate it with brdf_eval(&it->bsdf, ...) and so on. */
-struct model_case {
-    char text[1024]; /* what it is, for messages; a description but for a FILE */
-    struct brdf_bsdf bsdf;
-    int is_made; /* 1: owns its table; 0: shares that of another case */
-};
+#include "cases.h"
+#include "finding.h"
 
 struct model_cases {
-    const struct brdf_model_info *model;
-    struct model_case *items;
-    size_t count;
-    size_t failures; /* of the running check */
+    struct lab_cases set; /* of one model */
+    size_t failures;      /* of the running check */
 };
 
 /* A check: a function of a cmocka test whose *state is a struct model_cases. */
@@ -54,13 +43,14 @@ int models_long(void);
 #ifdef __GNUC__
 __attribute__((format(printf, 3, 4)))
 #endif
-void models_fail(struct model_cases *cases, const struct model_case *one, const char *format, ...);
+void models_fail(struct model_cases *cases, const struct lab_case *one, const char *format, ...);
+
+/* The same for a finding that failed. */
+void models_expect(struct model_cases *cases, const struct lab_case *one,
+                   const struct lab_finding *finding);
 
 /* The end of a check: fails the test if anything has failed. */
 void models_verdict(struct model_cases *cases);
-
-/* Can light come from below the surface: is there something to see? */
-int models_seen_from_below(const struct model_case *one);
 
 /* Point i of `count` that fill the unit cube evenly. */
 brdf_vec3 models_even_point(size_t i, size_t count);

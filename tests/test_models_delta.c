@@ -11,6 +11,7 @@
 
 #include <cmocka.h>
 
+#include "check_cases.h"
 #include "support_models.h"
 
 enum {
@@ -58,7 +59,7 @@ static struct lobes find_lobes(const struct brdf_bsdf *bsdf, brdf_vec3 wo)
 }
 
 /* Most models have none: a few samples tell. */
-static int has_lobes(const struct model_case *one)
+static int has_lobes(const struct lab_case *one)
 {
     struct brdfcl_random random = {30};
     for (size_t i = 0; i < 512; ++i) {
@@ -80,8 +81,8 @@ static void values_are_zero(void **state)
 {
     struct model_cases *cases = *state;
     struct brdfcl_random random = {31};
-    for (size_t i = 0; i < cases->count; ++i) {
-        const struct model_case *one = &cases->items[i];
+    for (size_t i = 0; i < cases->set.count; ++i) {
+        const struct lab_case *one = &cases->set.items[i];
         for (int k = 0; k < 10000; ++k) {
             struct brdfcl_check_input in = brdfcl_check_input_make(&random);
             struct brdf_sample s = brdf_sample(&one->bsdf, in.wo, in.u);
@@ -100,8 +101,8 @@ static void probabilities_hold(void **state)
 {
     struct model_cases *cases = *state;
     struct brdfcl_random random = {32};
-    for (size_t i = 0; i < cases->count; ++i) {
-        const struct model_case *one = &cases->items[i];
+    for (size_t i = 0; i < cases->set.count; ++i) {
+        const struct lab_case *one = &cases->set.items[i];
         int tries = has_lobes(one) ? 200 : 0;
         for (int k = 0; k < tries; ++k) {
             brdf_vec3 wo = brdfcl_random_direction(&random);
@@ -136,7 +137,7 @@ static float allowance(brdf_vec3 wo, struct brdf_sample there)
 }
 
 /* Along each lobe and back: the same path, and c eta^2 = c' eta'^2 [Veach 1997, 5.3]. */
-static void way_back(struct model_cases *cases, const struct model_case *one, brdf_vec3 wo,
+static void way_back(struct model_cases *cases, const struct lab_case *one, brdf_vec3 wo,
                      struct brdf_sample there, float allowed)
 {
     struct lobes found = find_lobes(&one->bsdf, there.wi);
@@ -164,8 +165,8 @@ static void lobes_are_reciprocal(void **state)
 {
     struct model_cases *cases = *state;
     struct brdfcl_random random = {33};
-    for (size_t i = 0; i < cases->count; ++i) {
-        const struct model_case *one = &cases->items[i];
+    for (size_t i = 0; i < cases->set.count; ++i) {
+        const struct lab_case *one = &cases->set.items[i];
         int tries = has_lobes(one) ? 100 : 0;
         for (int k = 0; k < tries; ++k) {
             brdf_vec3 wo = brdfcl_random_direction(&random);

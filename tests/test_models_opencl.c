@@ -50,10 +50,11 @@ static void report(const struct brdfcl_check_result *result, void *data)
     struct totals *totals = data;
     ++totals->reports;
     if (result->compared < 60000) {
-        models_fail(totals->cases, &totals->cases->items[0], "only %zu compared", result->compared);
+        models_fail(totals->cases, &totals->cases->set.items[0], "only %zu compared",
+                    result->compared);
     }
     if (result->differing) {
-        models_fail(totals->cases, &totals->cases->items[0],
+        models_fail(totals->cases, &totals->cases->set.items[0],
                     "%s at %d lanes: %zu of %zu differ, by up to %u ulp; the first: %s",
                     result->operation, result->lanes, result->differing, result->compared,
                     result->max_ulp, result->first);
@@ -74,7 +75,7 @@ static void same_bits_at_every_lane_count(void **state)
         struct totals totals = {cases, 0};
         struct brdf_error error;
         struct check_share share = {i, models_long() ? 1 : LANE_COUNTS};
-        if (check_model_share(device, cases->model->tag, count, 1, share, report, &totals,
+        if (check_model_share(device, cases->set.model->tag, count, 1, share, report, &totals,
                               &error)) {
             fail_msg("%s", error.message);
         }

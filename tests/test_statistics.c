@@ -10,7 +10,7 @@
 #include <cmocka.h>
 
 #include "check_random.h"
-#include "support_sphere.h"
+#include "sphere.h"
 #include "statistics.h"
 
 static const double pi = 3.14159265358979323846;
@@ -27,26 +27,26 @@ static void gamma_q_has_its_closed_forms(void **state)
 {
     (void)state;
     for (double x = 0.01; x < 600.0; x *= 1.3) {
-        assert_close(statistics_gamma_q(1.0, x), exp(-x), 1e-13);
-        assert_close(statistics_gamma_q(0.5, x), erfc(sqrt(x)), 1e-13);
+        assert_close(lab_gamma_q(1.0, x), exp(-x), 1e-13);
+        assert_close(lab_gamma_q(0.5, x), erfc(sqrt(x)), 1e-13);
         double term = exp(-x);
         double sum = term;
         for (int k = 1; k < 50; ++k) {
             term *= x / k;
             sum += term;
         }
-        assert_close(statistics_gamma_q(50.0, x), sum, 1e-12);
+        assert_close(lab_gamma_q(50.0, x), sum, 1e-12);
     }
-    assert_close(statistics_gamma_q(3.0, 0.0), 1.0, 0.0);
+    assert_close(lab_gamma_q(3.0, 0.0), 1.0, 0.0);
 }
 
 /* Quantiles of chi-square that are printed in every table. */
 static void chi2_has_its_quantiles(void **state)
 {
     (void)state;
-    assert_close(statistics_gamma_q(0.5, 0.5 * 6.6349), 0.01, 1e-6);
-    assert_close(statistics_gamma_q(5.0, 0.5 * 23.2093), 0.01, 1e-6);
-    assert_close(statistics_gamma_q(50.0, 0.5 * 135.8067), 0.01, 1e-6);
+    assert_close(lab_gamma_q(0.5, 0.5 * 6.6349), 0.01, 1e-6);
+    assert_close(lab_gamma_q(5.0, 0.5 * 23.2093), 0.01, 1e-6);
+    assert_close(lab_gamma_q(50.0, 0.5 * 135.8067), 0.01, 1e-6);
 }
 
 /* A die: fair throws pass, and a face that comes up 5 % too often does not. */
@@ -54,7 +54,7 @@ static void chi2_tells_a_loaded_die(void **state)
 {
     (void)state;
     for (int loaded = 0; loaded < 2; ++loaded) {
-        struct statistics_bin bins[6] = {{0.0, 0.0}};
+        struct lab_bin bins[6] = {{0.0, 0.0}};
         struct brdfcl_random random = {1};
         for (int i = 0; i < 200000; ++i) {
             int face = brdfcl_random_below(&random, 6);
@@ -64,7 +64,7 @@ static void chi2_tells_a_loaded_die(void **state)
         for (int face = 0; face < 6; ++face) {
             bins[face].expected = 200000.0 / 6.0;
         }
-        struct statistics_chi2 result = statistics_chi2_test(bins, 6);
+        struct lab_chi2 result = lab_chi2_test(bins, 6);
         assert_int_equal(result.freedom, 5);
         assert_int_equal(result.p < 0.001, loaded);
     }
@@ -73,20 +73,20 @@ static void chi2_tells_a_loaded_die(void **state)
 static void chi2_pools_and_sees_the_impossible(void **state)
 {
     (void)state;
-    struct statistics_bin bins[] = {{0.0, 0.0}, {2.0, 3.0}, {2.0, 1.0}, {2.0, 2.0}, {94.0, 94.0}};
-    struct statistics_chi2 result = statistics_chi2_test(bins, 5);
+    struct lab_bin bins[] = {{0.0, 0.0}, {2.0, 3.0}, {2.0, 1.0}, {2.0, 2.0}, {94.0, 94.0}};
+    struct lab_chi2 result = lab_chi2_test(bins, 5);
     assert_int_equal(result.freedom, 1);
     assert_int_equal(result.impossible, 0);
     assert_close(result.chi2, 0.0, 0.0);
-    struct statistics_bin others[] = {{0.0, 4.0}, {50.0, 46.0}, {50.0, 50.0}};
-    assert_int_equal(statistics_chi2_test(others, 3).impossible, 1);
+    struct lab_bin others[] = {{0.0, 4.0}, {50.0, 46.0}, {50.0, 50.0}};
+    assert_int_equal(lab_chi2_test(others, 3).impossible, 1);
 }
 
 static void sidak_is_nearly_a_division(void **state)
 {
     (void)state;
-    assert_close(statistics_sidak(0.01, 1), 0.01, 1e-15);
-    assert_close(statistics_sidak(0.01, 100), 1.00498e-4, 1e-8);
+    assert_close(lab_sidak(0.01, 1), 0.01, 1e-15);
+    assert_close(lab_sidak(0.01, 100), 1.00498e-4, 1e-8);
 }
 
 /* A lobe exp(k (w.axis - 1)), whose integral is 2 pi (1 - exp(-2 k)) / k. */
@@ -123,15 +123,16 @@ static void cells_follow_a_lobe(void **state)
                 }
                 pilot[k] = brdf_normalize(brdf_add(axes[i], brdf_vec3_make(a[0], a[1], a[2])));
             }
-            struct sphere *sphere = sphere_create(pilot, 2000);
+            struct lab_sphere *sphere = lab_sphere_create(pilot, 2000);
+            assert_non_null(sphere);
             double area = 2.0 * pi * (1.0 - exp(-2.0 * sharpness)) / sharpness;
-            struct sphere_sum sum = sphere_integrate(sphere, lobe_value, &lobe, 1e-5, 1.0);
+            struct lab_sphere_sum sum = lab_sphere_integrate(sphere, lobe_value, &lobe, 1e-5, 1.0);
             assert_close(sum.value / area, 1.0, 1e-3);
             assert_close(sum.error, 0.0, 1e-4 * area);
             for (int k = 0; k < 2000; ++k) {
-                assert_int_equal(sphere->nodes[sphere_find(sphere, pilot[k])].child, -1);
+                assert_int_equal(sphere->nodes[lab_sphere_find(sphere, pilot[k])].child, -1);
             }
-            sphere_destroy(sphere);
+            lab_sphere_destroy(sphere);
         }
     }
 }

@@ -1,5 +1,5 @@
 /*
- * albedo.c - albedos by sampling over shifted lattices.
+ * albedo.c - albedos by sampling over shifted points.
  */
 #include "albedo.h"
 
@@ -56,11 +56,9 @@ static struct lab_albedo albedo_of(const struct brdf_bsdf *bsdf, const struct so
     double mean[LAB_ALBEDO_SHIFTS][CHANNELS] = {{0.0}};
     size_t count = samples / LAB_ALBEDO_SHIFTS + (samples % LAB_ALBEDO_SHIFTS != 0);
     for (int k = 0; k < LAB_ALBEDO_SHIFTS; ++k) {
-        struct lab_lattice lattice = lab_lattice_make(source->spread ? 5 : 3, (unsigned)k);
+        struct lab_lattice lattice = lab_lattice_make(5, (unsigned)k);
         for (size_t i = 0; i < count; ++i) {
-            brdf_vec3 u =
-                brdf_vec3_make(lab_lattice_at(&lattice, i, 0), lab_lattice_at(&lattice, i, 1),
-                               lab_lattice_at(&lattice, i, 2));
+            brdf_vec3 u = lab_lattice_cube(&lattice, i);
             brdf_vec3 wo = source->wo;
             if (source->spread) {
                 wo = brdf_warp_cosine(lab_lattice_at(&lattice, i, 3),

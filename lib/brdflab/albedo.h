@@ -10,9 +10,9 @@
  * denser medium); power is conserved, and so transmission counts weight times eta^2: what is
  * neither reflected nor transmitted has been absorbed, or lost by the model.
  *
- * The integral is the mean weight of samples, deltas included, over lattices (lattice.h) with
- * LAB_ALBEDO_SHIFTS shifts, whose spread is the error. Nothing is random: the same call gives the
- * same bits.
+ * The integral is the mean weight of samples, deltas included, over even points (lattice.h)
+ * with LAB_ALBEDO_SHIFTS shifts, whose spread is the error. Nothing is random: the same call gives
+ * the same bits.
  */
 #ifndef BRDFLAB_ALBEDO_H
 #define BRDFLAB_ALBEDO_H

@@ -1,5 +1,5 @@
 /*
- * lattice.c - points that fill a unit cube evenly.
+ * lattice.c - Halton's points, shifted.
  */
 #include "lattice.h"
 
@@ -9,25 +9,22 @@
 
 #include "brdfcl/check_random.h"
 
-/* The root above 1 of x^(d + 1) = x + 1; the iteration contracts by 1 / (d + 1) at least. */
-static double root_of(int dimensions)
+/* The digits of i to a base, mirrored at the point. */
+static double mirrored(size_t i, size_t base)
 {
-    double x = 1.5;
-    for (int k = 0; k < 64; ++k) {
-        x = pow(1.0 + x, 1.0 / (dimensions + 1));
+    double scale = 1.0 / (double)base;
+    double result = 0.0;
+    for (double place = scale; i; i /= base, place *= scale) {
+        result += place * (double)(i % base);
     }
-    return x;
+    return result;
 }
 
 struct lab_lattice lab_lattice_make(int dimensions, unsigned long long seed)
 {
-    struct lab_lattice lattice = {dimensions, {0.0}, {0.0}};
+    struct lab_lattice lattice = {dimensions, {0.0}};
     struct brdfcl_random random = {seed};
-    double root = root_of(dimensions);
-    double step = 1.0;
     for (int d = 0; d < dimensions; ++d) {
-        step /= root;
-        lattice.step[d] = step;
         lattice.shift[d] = (double)brdfcl_random_uniform(&random);
     }
     return lattice;
@@ -35,6 +32,13 @@ struct lab_lattice lab_lattice_make(int dimensions, unsigned long long seed)
 
 float lab_lattice_at(const struct lab_lattice *lattice, size_t i, int dimension)
 {
-    double x = lattice->shift[dimension] + (double)i * lattice->step[dimension];
+    static const size_t base[LAB_LATTICE_MOST] = {2, 3, 5, 7, 11, 13, 17, 19};
+    double x = mirrored(i, base[dimension]) + lattice->shift[dimension];
     return brdf_min((float)(x - floor(x)), BRDF_ONE_MINUS_ULP);
+}
+
+brdf_vec3 lab_lattice_cube(const struct lab_lattice *lattice, size_t i)
+{
+    return brdf_vec3_make(lab_lattice_at(lattice, i, 0), lab_lattice_at(lattice, i, 1),
+                          lab_lattice_at(lattice, i, 2));
 }

@@ -44,7 +44,7 @@ static double gamma_q_fraction(double a, double x)
     return value * scale_of(a, x);
 }
 
-double statistics_gamma_q(double a, double x)
+double lab_gamma_q(double a, double x)
 {
     if (x <= 0.0) {
         return 1.0;
@@ -54,15 +54,15 @@ double statistics_gamma_q(double a, double x)
 
 static int by_expected(const void *a, const void *b)
 {
-    const struct statistics_bin *left = a;
-    const struct statistics_bin *right = b;
+    const struct lab_bin *left = a;
+    const struct lab_bin *right = b;
     return (left->expected > right->expected) - (left->expected < right->expected);
 }
 
-struct statistics_chi2 statistics_chi2_test(struct statistics_bin *bins, size_t count)
+struct lab_chi2 lab_chi2_test(struct lab_bin *bins, size_t count)
 {
-    struct statistics_chi2 result = {0.0, 0, 1.0, 0};
-    struct statistics_bin pool = {0.0, 0.0};
+    struct lab_chi2 result = {0.0, 0, 1.0, 0};
+    struct lab_bin pool = {0.0, 0.0};
     qsort(bins, count, sizeof *bins, by_expected);
     size_t used = 0;
     double impossible = 0.0;
@@ -84,12 +84,12 @@ struct statistics_chi2 statistics_chi2_test(struct statistics_bin *bins, size_t 
     result.impossible = impossible > 3.0 + 1e-3 * total;
     if (used > 1) {
         result.freedom = used - 1;
-        result.p = statistics_gamma_q(0.5 * (double)result.freedom, 0.5 * result.chi2);
+        result.p = lab_gamma_q(0.5 * (double)result.freedom, 0.5 * result.chi2);
     }
     return result;
 }
 
-double statistics_sidak(double significance, size_t count)
+double lab_sidak(double significance, size_t count)
 {
     return 1.0 - pow(1.0 - significance, 1.0 / (double)count);
 }

@@ -7,14 +7,14 @@
 #include <stddef.h>
 
 /* The regularised incomplete gamma function Q(a, x) = Gamma(a, x) / Gamma(a), a > 0, x >= 0. */
-double statistics_gamma_q(double a, double x);
+double lab_gamma_q(double a, double x);
 
-struct statistics_bin {
+struct lab_bin {
     double expected;
     double observed;
 };
 
-struct statistics_chi2 {
+struct lab_chi2 {
     double chi2;
     size_t freedom; /* degrees; 0 where there is nothing to compare */
     double p;       /* the probability of at least this chi2 if the prediction holds */
@@ -26,10 +26,10 @@ struct statistics_chi2 {
  * pooled. A few counts (3, and one in 1000) where nothing is expected are put down to rounding at
  * the edges of bins. Reorders the bins.
  */
-struct statistics_chi2 statistics_chi2_test(struct statistics_bin *bins, size_t count);
+struct lab_chi2 lab_chi2_test(struct lab_bin *bins, size_t count);
 
 /* What each of `count` tests must reach so that all pass with probability 1 - significance [Sidak
    1967]. */
-double statistics_sidak(double significance, size_t count);
+double lab_sidak(double significance, size_t count);
 
 #endif

@@ -1,0 +1,114 @@
+/*
+ * energy.c - albedos by sampling, by quadrature, and against 1.
+ */
+#include "energy.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "albedo.h"
+#include "lattice.h"
+
+enum { PILOT = 8192 };
+
+struct view {
+    const struct brdf_bsdf *bsdf;
+    brdf_vec3 wo;
+};
+
+static double mean(brdf_rgb c)
+{
+    return ((double)c.r + (double)c.g + (double)c.b) / 3.0;
+}
+
+static double f_cos(brdf_vec3 wi, void *data)
+{
+    const struct view *view = data;
+    return mean(brdf_eval(view->bsdf, view->wo, wi)) * fabs((double)wi.z);
+}
+
+struct lab_energy lab_energy_sampled(const struct brdf_bsdf *bsdf, brdf_vec3 wo, size_t samples)
+{
+    struct lab_lattice lattice = lab_lattice_make(3, 0);
+    double sum = 0.0;
+    double heavy = 0.0;
+    for (size_t i = 0; i < samples; ++i) {
+        struct brdf_sample s = brdf_sample(bsdf, wo, lab_lattice_cube(&lattice, i));
+        double weight = s.delta ? 0.0 : mean(s.weight);
+        sum += weight;
+        heavy += pow(fmax(weight - 1.0, 0.0), 2.0);
+    }
+    struct lab_energy result = {sum / (double)samples, sqrt(heavy) / (double)samples};
+    return result;
+}
+
+brdf_status lab_energy_integrated(const struct brdf_bsdf *bsdf, brdf_vec3 wo,
+                                  struct lab_sphere_sum *sum, struct brdf_error *error)
+{
+    struct view view = {bsdf, wo};
+    struct lab_lattice lattice = lab_lattice_make(3, 1);
+    struct lab_sphere *sphere = NULL;
+    brdf_vec3 *pilot = calloc(PILOT, sizeof *pilot);
+    size_t count = 0;
+    for (size_t i = 0; i < PILOT && pilot; ++i) {
+        struct brdf_sample s = brdf_sample(bsdf, wo, lab_lattice_cube(&lattice, i));
+        if (s.pdf > 0.0f && !s.delta) {
+            pilot[count++] = s.wi;
+        }
+    }
+    if (pilot) {
+        sphere = lab_sphere_create(pilot, count);
+    }
+    free(pilot);
+    if (!sphere) {
+        return brdf_fail(error, BRDF_OUT_OF_MEMORY, "out of memory for the cells of an integral");
+    }
+    *sum = lab_sphere_integrate(sphere, f_cos, &view, 1e-4, 1e-3);
+    lab_sphere_destroy(sphere);
+    return BRDF_OK;
+}
+
+static double angle_of(brdf_vec3 wo)
+{
+    double sine = sqrt((double)wo.x * (double)wo.x + (double)wo.y * (double)wo.y);
+    return atan2(sine, (double)wo.z) * 180.0 / 3.14159265358979323846;
+}
+
+brdf_status lab_try_albedo(const struct brdf_bsdf *bsdf, brdf_vec3 wo, size_t samples,
+                           struct lab_finding *finding, struct brdf_error *error)
+{
+    struct lab_sphere_sum integral;
+    struct lab_energy sampled = lab_energy_sampled(bsdf, wo, samples);
+    brdf_status status = lab_energy_integrated(bsdf, wo, &integral, error);
+    *finding = lab_finding_make(LAB_TEST_ALBEDO, angle_of(wo), 0.0);
+    if (status) {
+        return status;
+    }
+    finding->measured = fabs(sampled.value - integral.value);
+    finding->limit = 1e-3 + 3.0 * sampled.error + 2e-3 * integral.value;
+    snprintf(finding->detail, sizeof finding->detail, "%.5f by sampling, %.5f by quadrature",
+             sampled.value, integral.value);
+    lab_finding_judge(finding);
+    if (sampled.value == 0.0 && integral.value == 0.0) {
+        lab_finding_set(finding, LAB_NONE, "black but for deltas");
+    } else if (integral.error > 5e-4) {
+        lab_finding_set(finding, LAB_OPEN, "too narrow to be resolved");
+    }
+    return BRDF_OK;
+}
+
+struct lab_finding lab_try_energy(const struct brdf_bsdf *bsdf, brdf_vec3 wo, size_t samples)
+{
+    struct lab_albedo albedo = lab_albedo_at(bsdf, wo, samples);
+    struct lab_finding finding = lab_finding_make(LAB_TEST_ENERGY, angle_of(wo), 0.0);
+    for (int channel = 0; channel < 3; ++channel) {
+        double all = albedo.reflection[channel] + albedo.transmission[channel];
+        int more = !(all <= finding.measured) && !isnan(finding.measured);
+        finding.measured = more ? all : finding.measured; /* what is not a number stays */
+    }
+    finding.limit = 1.0 + 1e-3 + 4.0 * albedo.error;
+    snprintf(finding.detail, sizeof finding.detail, "of the light leaves again, largest channel");
+    lab_finding_judge(&finding);
+    return finding;
+}

@@ -1,0 +1,210 @@
+/*
+ * sphere.c - cells of the sphere: cutting, finding.
+ */
+#include "sphere.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum {
+    ROWS = 16,
+    COLUMNS = 32,
+    ROOTS = ROWS * COLUMNS,
+    PILOTS = 8, /* in a cell, at most */
+    CAPACITY = 4096
+};
+
+static const double pi = 3.14159265358979323846;
+
+struct point {
+    double at[2]; /* q, t */
+};
+
+static struct point point_of(brdf_vec3 w)
+{
+    double x = (double)w.x;
+    double y = (double)w.y;
+    double z = (double)w.z;
+    struct point p;
+    double q = (x * x + y * y) / (2.0 * (1.0 + fabs(z)));
+    q = fmin(q, z == 0.0 ? 0.5 : 0.5 - 1e-12); /* the side is that of z, to the last bit */
+    p.at[0] = z < 0.0 ? 1.0 - q : q;
+    p.at[1] = atan2(y, x) / (2.0 * pi);
+    p.at[1] -= floor(p.at[1]);
+    p.at[1] = p.at[1] < 1.0 ? p.at[1] : 0.0;
+    return p;
+}
+
+/* Sides of a node as angles on the sphere: along theta and along phi. */
+static void extent(const struct lab_sphere_node *node, double angle[2])
+{
+    double middle = 0.5 * (node->low[0] + node->high[0]);
+    angle[0] = 2.0 * (asin(sqrt(node->high[0])) - asin(sqrt(node->low[0])));
+    angle[1] = 2.0 * pi * (node->high[1] - node->low[1]) * 2.0 * sqrt(middle * (1.0 - middle));
+}
+
+void lab_sphere_halve(const struct lab_sphere_node *node, int axis, struct lab_sphere_node child[2])
+{
+    double middle = 0.5 * (node->low[axis] + node->high[axis]);
+    child[0] = *node;
+    child[1] = *node;
+    child[0].high[axis] = middle;
+    child[1].low[axis] = middle;
+}
+
+/* How much of the node's side along an axis the points take up. */
+static double spread(const struct lab_sphere_node *node, int axis, const struct point *points,
+                     size_t count)
+{
+    double low = node->high[axis];
+    double high = node->low[axis];
+    for (size_t i = 0; i < count; ++i) {
+        low = fmin(low, points[i].at[axis]);
+        high = fmax(high, points[i].at[axis]);
+    }
+    return (high - low) / (node->high[axis] - node->low[axis]);
+}
+
+/* The axis to halve a node along: the longer side, or one of which the points fill but a small
+   part, as those of a thin ridge do; -1 for neither. */
+static int axis_to_cut(const struct lab_sphere_node *node, const struct point *points, size_t count)
+{
+    double angle[2];
+    extent(node, angle);
+    int axis = angle[1] > angle[0];
+    if (count > PILOTS) {
+        return angle[axis] > 2e-6 ? axis : -1;
+    }
+    for (int k = 0; k < 2 && count >= 2; ++k) {
+        if (angle[k] > 2e-6 && spread(node, k, points, count) < 0.25) {
+            return k;
+        }
+    }
+    return -1;
+}
+
+/* Room for two more nodes; 0 if there is none. */
+static int reserve_two(struct lab_sphere *sphere)
+{
+    if (sphere->count + 2 <= sphere->capacity) {
+        return 1;
+    }
+    size_t capacity = 2 * sphere->capacity;
+    struct lab_sphere_node *nodes = realloc(sphere->nodes, capacity * sizeof *nodes);
+    if (!nodes) {
+        return 0;
+    }
+    sphere->nodes = nodes;
+    sphere->capacity = capacity;
+    return 1;
+}
+
+static void cut(struct lab_sphere *sphere, size_t index, struct point *points, size_t count)
+{
+    sphere->nodes[index].pilots = (int)count;
+    struct lab_sphere_node node = sphere->nodes[index];
+    int axis = axis_to_cut(&node, points, count);
+    if (axis < 0) {
+        return;
+    }
+    if (!reserve_two(sphere)) {
+        return; /* a cell that is larger than it might be */
+    }
+    struct lab_sphere_node child[2];
+    lab_sphere_halve(&node, axis, child);
+    size_t lower = 0;
+    for (size_t i = 0; i < count; ++i) {
+        if (points[i].at[axis] < child[1].low[axis]) {
+            struct point swap = points[i];
+            points[i] = points[lower];
+            points[lower++] = swap;
+        }
+    }
+    size_t first = sphere->count;
+    sphere->nodes[index].child = (int)first;
+    sphere->nodes[first] = child[0];
+    sphere->nodes[first + 1] = child[1];
+    sphere->count += 2;
+    cut(sphere, first, points, lower);
+    cut(sphere, first + 1, points + lower, count - lower);
+}
+
+static size_t root_of(struct point p)
+{
+    int row = (int)(p.at[0] * ROWS);
+    int column = (int)(p.at[1] * COLUMNS);
+    row = row < ROWS ? row : ROWS - 1;
+    return (size_t)(row * COLUMNS + column);
+}
+
+static int by_root(const void *a, const void *b)
+{
+    size_t left = root_of(*(const struct point *)a);
+    size_t right = root_of(*(const struct point *)b);
+    return (left > right) - (left < right);
+}
+
+/* The roots, each cut for its points, which are in the order of the roots. */
+static void cut_roots(struct lab_sphere *sphere, struct point *points, size_t count)
+{
+    size_t first = 0;
+    for (size_t root = 0; root < ROOTS; ++root) {
+        double row = (double)(root / COLUMNS);
+        double column = (double)(root % COLUMNS);
+        struct lab_sphere_node node = {{row / ROWS, column / COLUMNS},
+                                       {(row + 1.0) / ROWS, (column + 1.0) / COLUMNS},
+                                       -1,
+                                       0,
+                                       0.0};
+        size_t end = first;
+        while (end < count && root_of(points[end]) == root) {
+            ++end;
+        }
+        sphere->nodes[root] = node;
+        cut(sphere, root, points + first, end - first);
+        first = end;
+    }
+}
+
+struct lab_sphere *lab_sphere_create(const brdf_vec3 *pilot, size_t count)
+{
+    struct lab_sphere *sphere = calloc(1, sizeof *sphere);
+    struct point *points = calloc(count + 1, sizeof *points);
+    struct lab_sphere_node *nodes = calloc(CAPACITY, sizeof *nodes);
+    if (!sphere || !points || !nodes) {
+        free(sphere);
+        free(points);
+        free(nodes);
+        return NULL;
+    }
+    sphere->capacity = CAPACITY;
+    sphere->nodes = nodes;
+    sphere->count = ROOTS;
+    sphere->pilots = count;
+    for (size_t i = 0; i < count; ++i) {
+        points[i] = point_of(pilot[i]);
+    }
+    qsort(points, count, sizeof *points, by_root);
+    cut_roots(sphere, points, count);
+    free(points);
+    return sphere;
+}
+void lab_sphere_destroy(struct lab_sphere *sphere)
+{
+    if (sphere) {
+        free(sphere->nodes);
+        free(sphere);
+    }
+}
+
+size_t lab_sphere_find(const struct lab_sphere *sphere, brdf_vec3 w)
+{
+    struct point p = point_of(w);
+    size_t index = root_of(p);
+    while (sphere->nodes[index].child >= 0) {
+        const struct lab_sphere_node *lower = &sphere->nodes[sphere->nodes[index].child];
+        int axis = lower->high[0] == sphere->nodes[index].high[0];
+        index = (size_t)sphere->nodes[index].child + (p.at[axis] >= lower->high[axis]);
+    }
+    return index;
+}
