@@ -6,6 +6,8 @@
 
 #include <brdf/material.h>
 
+#include "energy.h"
+
 enum { ENERGY_COSINES = 5 };
 
 /* The cosines of wo that known albedos are for: 0.1, 0.25, 0.5, 0.75, 1. */
@@ -22,8 +24,8 @@ struct energy_known {
 brdf_vec3 energy_direction(double cosine, double phi);
 
 /* The mean weight of samples, and the integral of f |cos| (brdflab/energy.h). */
-double energy_by_sampling(const struct brdf_bsdf *bsdf, brdf_vec3 wo);
-double energy_by_quadrature(const struct brdf_bsdf *bsdf, brdf_vec3 wo);
+struct lab_energy energy_by_sampling(const struct brdf_bsdf *bsdf, brdf_vec3 wo);
+struct lab_sphere_sum energy_by_quadrature(const struct brdf_bsdf *bsdf, brdf_vec3 wo);
 
 /* Rows against both; what differs is printed. Returns the number of failures. */
 int energy_check_known(const struct energy_known *rows, size_t count);

@@ -12,6 +12,7 @@
 #include <brdf/material.h>
 
 #include "cases.h"
+#include "check_cases.h"
 #include "finding.h"
 
 struct model_cases {

@@ -11,7 +11,6 @@
 
 #include <cmocka.h>
 
-#include "check_cases.h"
 #include "support_models.h"
 
 enum {

@@ -16,7 +16,6 @@
 
 #include <cmocka.h>
 
-#include "energy.h"
 #include "support_energy.h"
 #include "support_models.h"
 

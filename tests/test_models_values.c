@@ -10,7 +10,6 @@
 
 #include <cmocka.h>
 
-#include "check_cases.h"
 #include "support_models.h"
 #include "values.h"
 
