@@ -30,14 +30,26 @@ static const char *flags_text(unsigned flags, char *text, size_t size)
     return text;
 }
 
+/* "; also called a, b", or "". */
+static const char *aliases_text(const struct brdf_model_info *model, char *text, size_t size)
+{
+    const char *alias;
+    text[0] = '\0';
+    for (int i = 0; (alias = brdf_model_alias(model, i)) != NULL; ++i) {
+        size_t used = strlen(text);
+        snprintf(text + used, size - used, "%s%s", used ? ", " : "; also called ", alias);
+    }
+    return text;
+}
+
 static void list_models(void)
 {
     for (int tag = 0; tag < brdf_model_count(); ++tag) {
         const struct brdf_model_info *model = brdf_model_info(tag);
-        char flags[128];
+        char flags[128], aliases[128];
         printf("%-16s %s\n", model->name, model->summary);
-        printf("%-16s %s; %s\n", "", flags_text(model->flags, flags, sizeof flags),
-               model->reference);
+        printf("%-16s %s; %s%s\n", "", flags_text(model->flags, flags, sizeof flags),
+               model->reference, aliases_text(model, aliases, sizeof aliases));
     }
 }
 
@@ -118,9 +130,10 @@ static void show_substances(const struct brdf_model_info *model)
 
 static void show_model(const struct brdf_model_info *model)
 {
-    char flags[128];
+    char flags[128], aliases[128];
     printf("%s: %s\n", model->name, model->summary);
-    printf("%s\n", flags_text(model->flags, flags, sizeof flags));
+    printf("%s%s\n", flags_text(model->flags, flags, sizeof flags),
+           aliases_text(model, aliases, sizeof aliases));
     printf("reference: %s\n", model->reference);
     for (size_t i = 0; i < model->parameter_count; ++i) {
         const struct brdf_parameter_info *parameter = &model->parameters[i];

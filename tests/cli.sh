@@ -50,6 +50,10 @@ says out 'alpha_u .*roughness'
 says out 'from 0.0001 to '
 says out 'ggx'
 says out 'reference: '
+last='models roughdiffuse'
+expect 0 models roughdiffuse
+says out '^orennayar: '
+says out 'also called roughdiffuse'
 refused 1 "did you mean 'phong'" models phnog
 refused 2 'too many' models phong diffuse
 last=devices

@@ -34,6 +34,32 @@ static void models_are_well_formed(void **state)
     }
 }
 
+/* An alias leads to its model, and is nobody's own name. */
+static void aliases_lead_to_models(void **state)
+{
+    (void)state;
+    const struct brdf_model_info *orennayar = brdf_model_find("orennayar");
+    int aliases = 0;
+    assert_ptr_equal(brdf_model_find("roughdiffuse"), orennayar);
+    assert_string_equal(brdf_model_alias(orennayar, 0), "roughdiffuse");
+    assert_string_equal(brdf_model_nearest("roughdifuse"), "roughdiffuse");
+    for (int tag = 0; tag < brdf_model_count(); ++tag) {
+        const struct brdf_model_info *model = brdf_model_info(tag);
+        const char *alias;
+        for (int i = 0; (alias = brdf_model_alias(model, i)) != NULL; ++i, ++aliases) {
+            assert_ptr_equal(brdf_model_find(alias), model);
+            assert_string_not_equal(alias, model->name);
+        }
+    }
+    assert_true(aliases >= 1);
+    struct brdf_bsdf *bsdf;
+    char text[512];
+    assert_int_equal(brdf_bsdf_create("roughdiffuse:reflectance=0.3", &bsdf, NULL), BRDF_OK);
+    brdf_bsdf_describe(bsdf, text, sizeof text);
+    assert_int_equal(strncmp(text, "orennayar:", 10), 0); /* its own name comes out */
+    brdf_bsdf_destroy(bsdf);
+}
+
 static int words_of(int kind)
 {
     return kind == BRDF_KIND_REAL ? 1 : kind == BRDF_KIND_COLOR ? 3 : 0;
@@ -142,9 +168,9 @@ static void statuses_have_sentences(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(models_are_well_formed),  cmocka_unit_test(parameters_are_well_formed),
-        cmocka_unit_test(one_parameter_in_full),   cmocka_unit_test(names_that_were_meant),
-        cmocka_unit_test(statuses_have_sentences),
+        cmocka_unit_test(models_are_well_formed),     cmocka_unit_test(aliases_lead_to_models),
+        cmocka_unit_test(parameters_are_well_formed), cmocka_unit_test(one_parameter_in_full),
+        cmocka_unit_test(names_that_were_meant),      cmocka_unit_test(statuses_have_sentences),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

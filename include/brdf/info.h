@@ -55,10 +55,13 @@ BRDF_API int brdf_model_count(void);
 /* The model of a tag; NULL if there is none. */
 BRDF_API const struct brdf_model_info *brdf_model_info(int tag);
 
-/* The model of a name; NULL if there is none. */
+/* The model of a name, its own or an alias; NULL if there is none. */
 BRDF_API const struct brdf_model_info *brdf_model_find(const char *name);
 
-/* The name nearest to one that is not known; NULL if none is near enough to be meant. */
+/* Alias `number`, from 0, of a model: what other programs call it. NULL if it has no more. */
+BRDF_API const char *brdf_model_alias(const struct brdf_model_info *model, int number);
+
+/* The name or alias nearest to one that is not known; NULL if none is near enough to be meant. */
 BRDF_API const char *brdf_model_nearest(const char *name);
 
 /* The same for the parameters of a model. */

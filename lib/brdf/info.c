@@ -35,6 +35,17 @@ static const struct brdf_model_info models[] = {
 #undef BRDF_MODEL
 };
 
+static const struct alias {
+    const char *name;
+    int tag;
+} aliases[] = {
+#define BRDF_MODEL_ALIAS(alias, NAME) {#alias, BRDF_MODEL_##NAME},
+#include "aliases.h"
+#undef BRDF_MODEL_ALIAS
+};
+
+enum { ALIASES = sizeof aliases / sizeof aliases[0] };
+
 int brdf_model_count(void)
 {
     return BRDF_MODEL_COUNT;
@@ -52,16 +63,34 @@ const struct brdf_model_info *brdf_model_find(const char *name)
             return &models[tag];
         }
     }
+    for (int i = 0; i < ALIASES; ++i) {
+        if (strcmp(aliases[i].name, name) == 0) {
+            return &models[aliases[i].tag];
+        }
+    }
+    return NULL;
+}
+
+const char *brdf_model_alias(const struct brdf_model_info *model, int number)
+{
+    for (int i = 0; i < ALIASES; ++i) {
+        if (aliases[i].tag == model->tag && number-- == 0) {
+            return aliases[i].name;
+        }
+    }
     return NULL;
 }
 
 const char *brdf_model_nearest(const char *name)
 {
-    const char *names[BRDF_MODEL_COUNT];
+    const char *names[BRDF_MODEL_COUNT + ALIASES];
     for (int tag = 0; tag < BRDF_MODEL_COUNT; ++tag) {
         names[tag] = models[tag].name;
     }
-    return brdf_name_nearest(name, names, BRDF_MODEL_COUNT);
+    for (int i = 0; i < ALIASES; ++i) {
+        names[BRDF_MODEL_COUNT + i] = aliases[i].name;
+    }
+    return brdf_name_nearest(name, names, BRDF_MODEL_COUNT + ALIASES);
 }
 
 const struct brdf_parameter_info *brdf_parameter_find(const struct brdf_model_info *model,
