@@ -23,6 +23,7 @@ int command_test(int argc, char **argv);
 int command_check(int argc, char **argv);
 int command_info(int argc, char **argv);
 int command_convert(int argc, char **argv);
+int command_edit(int argc, char **argv);
 int command_mix(int argc, char **argv);
 int command_bench(int argc, char **argv);
 

@@ -26,6 +26,7 @@ static const struct command {
     {"albedo", command_albedo, "how much light a material reflects and transmits"},
     {"info", command_info, "describe a measured file, and where it is to be doubted"},
     {"convert", command_convert, "write a material as a measured file"},
+    {"edit", command_edit, "change the gloss or colour of a measured material"},
     {"mix", command_mix, "mix measured materials into a new one"},
     {"fit", command_fit, "find a model's parameters that come nearest to a material"},
     {"test", command_test, "statistical tests of a material, or of every model"},

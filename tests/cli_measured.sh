@@ -91,6 +91,26 @@ refused 2 'one of log-relative' mix diffuse phong o.binary --space cubic
 refused 1 'did you mean "diffuse"' mix difuse phong o.binary
 refused 1 'turned about its normal' mix diffuse ashikhminshirley:exponent_u=10,exponent_v=900 o.binary
 
+# --- edit ------------------------------------------------------------------------------------------
+
+last='edit'
+expect 0 edit metal.binary edited.binary
+says out '^edited.binary: metal.binary, unchanged'
+same metal.binary edited.binary 'an edit of nothing changes bits'
+expect 0 edit metal.binary edited.binary --gloss 1 --hue 0 --saturation 1 --specular 1 --diffuse 1
+same metal.binary edited.binary 'an edit of nothing changes bits'
+expect 0 edit matte.binary edited.binary --diffuse 0.5
+expect 0 info edited.binary
+says out '^  *average   0.1000  0.2000  0.3000'
+expect 0 edit matte.binary edited.binary --saturation 0
+says out '^edited.binary: matte.binary, edited'
+expect 0 info edited.binary
+says out '^  *average   0.3[0-9]*  0.3[0-9]*  0.3'
+rm edited.binary
+refused 2 'MERL files' edit diffuse o.bsdf
+refused 2 'one of all|diffuse|specular' edit diffuse o.binary --part none
+refused 1 'from 0.05 to 20' edit diffuse o.binary --gloss 0
+
 # --- what is refused -------------------------------------------------------------------------------
 
 refused 2 'no suffix' convert diffuse o.exr

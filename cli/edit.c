@@ -1,0 +1,100 @@
+/* edit.c - brdfcl edit: a measured material with another highlight, diffuse part or colour. */
+#include <stdio.h>
+#include <string.h>
+
+#include "brdflab/edit.h"
+#include "brdflab/open.h"
+#include "commands.h"
+#include "measured.h"
+#include "options.h"
+#include "say.h"
+
+static const char summary[] =
+    "Change a material and write it as a new MERL file. The diffuse part is what f falls to far "
+    "from\n"
+    "the highlight, by the angle of difference and the colour; the highlight is the rest. Its "
+    "width\n"
+    "changes in the slopes of the half vector and keeps its energy. Hue and saturation change in "
+    "Oklab,\n"
+    "and keep lightness. What is not given stays as it is.";
+
+static const double radians = 3.14159265358979323846 / 180.0;
+
+struct edit_run {
+    const char *in;
+    const char *out;
+    struct lab_edit edit;
+    int part; /* enum lab_edit_part */
+};
+
+static int read_command_line(struct edit_run *run, int argc, char **argv)
+{
+    struct lab_edit *edit = &run->edit;
+    const struct option options[] = {
+        {"gloss", 0, OPTION_REAL, &edit->gloss, "FACTOR", 0.05, 20,
+         "the highlight gets so many times narrower; below 1 wider"},
+        {"specular", 0, OPTION_REAL, &edit->specular, "FACTOR", 0, 1000, "on the highlight"},
+        {"diffuse", 0, OPTION_REAL, &edit->diffuse, "FACTOR", 0, 1000, "on the diffuse part"},
+        {"hue", 0, OPTION_REAL, &edit->hue, "DEGREES", -360, 360,
+         "turn it: 30 makes red orange, and orange yellow"},
+        {"saturation", 0, OPTION_REAL, &edit->saturation, "FACTOR", 0, 100,
+         "on the chroma; 0 is gray"},
+        {"part", 0, OPTION_CHOICE, &run->part, "all|diffuse|specular", 0, 0,
+         "whose hue and saturation change; all if not given"},
+        {"metal", 0, OPTION_ON, &edit->metal, NULL, 0, 0,
+         "there is no diffuse part: all of it is highlight"},
+    };
+    const struct usage usage = {
+        "edit", "MATERIAL OUT.binary", summary, options, sizeof options / sizeof options[0], 2, 2};
+    enum lab_format format;
+    struct texts arguments;
+    int status = options_read(&usage, argc, argv, &arguments);
+    if (status != OPTIONS_GO_ON) {
+        return status;
+    }
+    run->in = arguments.item[0];
+    run->out = arguments.item[1];
+    edit->hue *= radians;
+    edit->part = (enum lab_edit_part)run->part;
+    status = measured_format(run->out, LAB_FORMAT_NONE, &format);
+    if (status == OPTIONS_GO_ON && format != LAB_FORMAT_MERL) {
+        return say_usage("edit writes MERL files: name '%s' .binary, and convert it afterwards",
+                         run->out);
+    }
+    return status;
+}
+
+static brdf_status edit_and_write(const struct edit_run *run, struct brdf_error *error)
+{
+    struct brdf_merl_file file = {0}, edited = {0};
+    enum lab_format format;
+    brdf_status status = measured_check(run->out, error);
+    if (!status) {
+        status = lab_open_merl(run->in, &file, &format, error);
+    }
+    if (!status && format == LAB_FORMAT_MERL && lab_edit_is_nothing(&run->edit)) {
+        status = measured_copy(run->in, run->out, error);
+    } else if (!status) {
+        status = lab_edit_merl(&file, &run->edit, &edited, error);
+        status = status ? status : measured_write(run->out, &edited, error);
+    }
+    brdf_merl_free(&edited);
+    brdf_merl_free(&file);
+    return status;
+}
+
+int command_edit(int argc, char **argv)
+{
+    struct edit_run run = {.edit = lab_edit_nothing()};
+    struct brdf_error error = {BRDF_OK, ""};
+    int exit_status = read_command_line(&run, argc, argv);
+    if (exit_status != OPTIONS_GO_ON) {
+        return exit_status;
+    }
+    brdf_status status = edit_and_write(&run, &error);
+    if (!status) {
+        printf("%s: %s, %s\n", run.out, run.in,
+               lab_edit_is_nothing(&run.edit) ? "unchanged" : "edited");
+    }
+    return measured_exit(status, &error);
+}
