@@ -94,7 +94,8 @@ struct pt_fork {
 #define PT_HAS_TEXTURES 512
 #define PT_HAS_BITMAPS 1024      /* textures of that kind */
 #define PT_HAS_FLOAT_TEXELS 2048 /* bitmaps that are not of 8 bits */
-#define PT_HAS_FORKS 4096        /* surfaces that are put together from others */
+#define PT_HAS_WOODGRAINS 16384
+#define PT_HAS_FORKS 4096 /* surfaces that are put together from others */
 
 /* Reconstruction filters. */
 #define PT_FILTER_BOX 0

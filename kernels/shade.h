@@ -166,7 +166,8 @@ static inline void pt_shade(struct pt_world w, struct pt_pass pass, struct pt_va
         brdf_parameters_load(variant.model, variant.choices, surface->material.word);
     if (variant.textured) {
         p = pt_textured_parameters(w, variant.model, variant.textured, variant.colors,
-                                   surface->bindings, at, p);
+                                   surface->bindings,
+                                   pt_seen_side(variant.flags, at, brdf_negate(ray.d)), p);
     }
     BRDF_GLOBAL const float *table = w.tables + surface->material.table;
     brdf_vec3 wo = brdf_to_local(at.frame, brdf_negate(ray.d));

@@ -109,6 +109,23 @@ void assert_vector(const float *row, int word, float x, float y, float z)
     }
 }
 
+void scene_mistakes_check(const struct scene_mistake *mistakes, size_t count)
+{
+    for (size_t i = 0; i < count; ++i) {
+        const struct scene_mistake *m = &mistakes[i];
+        struct brdfcl_scene *scene = (struct brdfcl_scene *)(void *)&scene;
+        struct brdf_error error = {BRDF_OK, ""};
+        char place[32];
+        brdf_status status = scene_text_load(m->text, NULL, 0, &scene, &error);
+        snprintf(place, sizeof place, "scene.xml:%d:", m->line);
+        if (status != m->status || error.status != m->status || scene ||
+            !strstr(error.message, m->says) || (m->line > 0 && !strstr(error.message, place))) {
+            fail_msg("%s\n-> status %d, \"%s\"\nexpected %d, line %d, \"%s\"", m->text, status,
+                     error.message, m->status, m->line, m->says);
+        }
+    }
+}
+
 int scene_has_note(const struct brdfcl_scene *scene, const char *text)
 {
     for (size_t i = 0; brdfcl_scene_note(scene, i); ++i) {

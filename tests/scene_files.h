@@ -38,6 +38,16 @@ int scene_row_int(const float *row, int word);
 /* Three words from `word` on, within 1e-6. */
 void assert_vector(const float *row, int word, float x, float y, float z);
 
+/* A scene that must be refused, and how. */
+struct scene_mistake {
+    const char *text;
+    int line; /* 0: the message has none */
+    brdf_status status;
+    const char *says; /* part of the message */
+};
+
+void scene_mistakes_check(const struct scene_mistake *mistakes, size_t count);
+
 /* Whether one of the scene's notes contains this text. */
 int scene_has_note(const struct brdfcl_scene *scene, const char *text);
 

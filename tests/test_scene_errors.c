@@ -23,33 +23,9 @@
     "<scene version=\"3.0.0\">\n<sensor type=\"perspective\"/>\n<integrator type=\"path\">" inside \
     "</integrator></scene>"
 
-struct mistake {
-    const char *text;
-    int line; /* 0: the message has none */
-    brdf_status status;
-    const char *says; /* part of the message */
-};
-
-static void check(const struct mistake *mistakes, size_t count)
-{
-    for (size_t i = 0; i < count; ++i) {
-        const struct mistake *m = &mistakes[i];
-        struct brdfcl_scene *scene = (struct brdfcl_scene *)(void *)&scene;
-        struct brdf_error error = {BRDF_OK, ""};
-        char place[32];
-        brdf_status status = scene_text_load(m->text, NULL, 0, &scene, &error);
-        snprintf(place, sizeof place, "scene.xml:%d:", m->line);
-        if (status != m->status || error.status != m->status || scene ||
-            !strstr(error.message, m->says) || (m->line > 0 && !strstr(error.message, place))) {
-            fail_msg("%s\n-> status %d, \"%s\"\nexpected %d, line %d, \"%s\"", m->text, status,
-                     error.message, m->status, m->line, m->says);
-        }
-    }
-}
-
 static void malformed_xml(void **state)
 {
-    static const struct mistake mistakes[] = {
+    static const struct scene_mistake mistakes[] = {
         {"", 1, BRDF_BAD_FILE, "no element found"},
         {"hello", 1, BRDF_BAD_FILE, "syntax error"},
         {"<scene version=\"3.0.0\">\n<shape>\n</scene>", 3, BRDF_BAD_FILE, "mismatched tag"},
@@ -65,7 +41,7 @@ static void malformed_xml(void **state)
          "no <sensor>"},
     };
     (void)state;
-    check(mistakes, COUNT(mistakes));
+    scene_mistakes_check(mistakes, COUNT(mistakes));
 }
 
 static void deep_nesting(void **state)
@@ -83,7 +59,7 @@ static void deep_nesting(void **state)
 
 static void unknown_names(void **state)
 {
-    static const struct mistake mistakes[] = {
+    static const struct scene_mistake mistakes[] = {
         {HEAD "<shap type=\"sphere\"/></scene>", 3, BRDF_UNKNOWN_NAME, "\"shape\""},
         {HEAD "<shape typ=\"sphere\"/></scene>", 3, BRDF_UNKNOWN_NAME, "\"type\""},
         {HEAD "<shape id=\"a\"/></scene>", 3, BRDF_BAD_FILE, "lacks the attribute \"type\""},
@@ -119,12 +95,12 @@ static void unknown_names(void **state)
          BRDF_UNKNOWN_NAME, "path"},
     };
     (void)state;
-    check(mistakes, COUNT(mistakes));
+    scene_mistakes_check(mistakes, COUNT(mistakes));
 }
 
 static void bad_numbers(void **state)
 {
-    static const struct mistake mistakes[] = {
+    static const struct scene_mistake mistakes[] = {
         {SHAPE("<float name=\"radius\" value=\"nan\"/>"), 3, BRDF_BAD_FILE, "\"nan\""},
         {SHAPE("<float name=\"radius\" value=\"inf\"/>"), 3, BRDF_BAD_FILE, "\"inf\""},
         {SHAPE("<float name=\"radius\" value=\"1e999\"/>"), 3, BRDF_BAD_FILE, "1e999"},
@@ -176,12 +152,12 @@ static void bad_numbers(void **state)
          3, BRDF_OUT_OF_RANGE, "overflows"},
     };
     (void)state;
-    check(mistakes, COUNT(mistakes));
+    scene_mistakes_check(mistakes, COUNT(mistakes));
 }
 
 static void absurd_settings(void **state)
 {
-    static const struct mistake mistakes[] = {
+    static const struct scene_mistake mistakes[] = {
         {FILM("<integer name=\"width\" value=\"0\"/>"), 3, BRDF_OUT_OF_RANGE, "width = 0"},
         {FILM("<integer name=\"height\" value=\"-5\"/>"), 3, BRDF_OUT_OF_RANGE, "height = -5"},
         {FILM("<integer name=\"width\" value=\"65537\"/>"), 3, BRDF_OUT_OF_RANGE, "65536"},
@@ -212,12 +188,12 @@ static void absurd_settings(void **state)
         {HEAD "<emitter type=\"area\"/></scene>", 3, BRDF_BAD_FILE, "<shape>"},
     };
     (void)state;
-    check(mistakes, COUNT(mistakes));
+    scene_mistakes_check(mistakes, COUNT(mistakes));
 }
 
 static void references(void **state)
 {
-    static const struct mistake mistakes[] = {
+    static const struct scene_mistake mistakes[] = {
         {HEAD "<bsdf type=\"diffuse\" id=\"a\"/>\n<bsdf type=\"diffuse\" id=\"a\"/></scene>", 4,
          BRDF_BAD_FILE, "line 3"},
         {HEAD "<bsdf type=\"twosided\" id=\"a\">\n<ref id=\"a\"/></bsdf></scene>", 4, BRDF_BAD_FILE,
@@ -239,12 +215,12 @@ static void references(void **state)
          4, BRDF_UNKNOWN_NAME, "\"metal\""},
     };
     (void)state;
-    check(mistakes, COUNT(mistakes));
+    scene_mistakes_check(mistakes, COUNT(mistakes));
 }
 
 static void substitution(void **state)
 {
-    static const struct mistake mistakes[] = {
+    static const struct scene_mistake mistakes[] = {
         {HEAD "<shape type=\"$kind\"/></scene>", 3, BRDF_UNKNOWN_NAME, "$kind"},
         {HEAD "<default name=\"size\" value=\"1\"/>\n<shape type=\"$siz\"/></scene>", 4,
          BRDF_UNKNOWN_NAME, "$size"},
@@ -258,7 +234,7 @@ static void substitution(void **state)
     struct brdfcl_scene *scene = NULL;
     struct brdf_error error;
     (void)state;
-    check(mistakes, COUNT(mistakes));
+    scene_mistakes_check(mistakes, COUNT(mistakes));
     assert_int_equal(scene_text_load(HEAD "<default name=\"spp\" value=\"1\"/></scene>", &unused, 1,
                                      &scene, &error),
                      BRDF_UNKNOWN_NAME);
@@ -267,7 +243,7 @@ static void substitution(void **state)
 
 static void missing_files(void **state)
 {
-    static const struct mistake mistakes[] = {
+    static const struct scene_mistake mistakes[] = {
         {HEAD "<shape type=\"obj\">\n<string name=\"filename\" value=\"no.obj\"/></shape></scene>",
          4, BRDF_IO, "no.obj"},
         {HEAD "<shape type=\"ply\"/></scene>", 3, BRDF_BAD_FILE, "filename"},
@@ -287,7 +263,7 @@ static void missing_files(void **state)
     struct brdfcl_scene *scene = NULL;
     struct brdf_error error;
     (void)state;
-    check(mistakes, COUNT(mistakes));
+    scene_mistakes_check(mistakes, COUNT(mistakes));
     assert_int_equal(brdfcl_scene_load("/no/such/scene.xml", NULL, 0, &scene, &error), BRDF_IO);
     assert_non_null(strstr(error.message, "/no/such/scene.xml"));
     assert_null(scene);

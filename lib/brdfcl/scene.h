@@ -34,8 +34,9 @@ struct scene_texture {
     unsigned *codes;          /* one a texel: 8 bits a channel, red lowest; or NULL, then: */
     float *rgb;               /* three a texel */
     int raw;                  /* what the codes stand for, see brdfcl_image_codes */
-    float least;              /* of the values of all channels */
+    float least;              /* of the values of all channels; not of a woodgrain */
     float most;
+    int output_given; /* the file says which output of a woodgrain is wanted */
 };
 
 /* A texture sets a parameter of a bsdf. */

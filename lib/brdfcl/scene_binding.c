@@ -21,41 +21,25 @@ static void binding_insert(struct scene_bindings *bindings, const struct scene_b
    clamped, with a remark: it may well be white where a reflectance ends at 0.99. */
 static brdf_status binding_check_range(const struct scene_loader *loader,
                                        const struct xml_node *child,
-                                       const struct scene_texture *texture,
-                                       const struct brdf_parameter_info *parameter)
+                                       const struct scene_binding *binding, const char *name)
 {
-    if (texture->least >= parameter->low && texture->most <= parameter->high) {
+    const struct scene_texture *texture = &loader->scene->textures[binding->record.texture];
+    double low = (double)binding->record.low;
+    double high = (double)binding->record.high;
+    float least = 0.0f;
+    float most = 0.0f;
+    scene_texture_range(texture, binding->record.output, &least, &most);
+    if ((double)least >= low && (double)most <= high) {
         return BRDF_OK;
     }
     if (texture->record.kind == PT_TEXTURE_BITMAP) {
         return scene_note(loader, child,
                           "%s: the texture's values, %g to %g, are clamped to its range, %g to %g",
-                          parameter->name, (double)texture->least, (double)texture->most,
-                          (double)parameter->low, (double)parameter->high);
+                          name, (double)least, (double)most, low, high);
     }
     return scene_fail(loader, child, BRDF_OUT_OF_RANGE,
-                      "%s: the texture's values are %g to %g: expected %g to %g", parameter->name,
-                      (double)texture->least, (double)texture->most, (double)parameter->low,
-                      (double)parameter->high);
-}
-
-/* One parameter that is a number or a colour. */
-static brdf_status binding_add(const struct scene_loader *loader, const struct xml_node *child,
-                               const struct brdf_model_info *model,
-                               const struct brdf_parameter_info *parameter, int number,
-                               struct scene_bindings *bindings)
-{
-    struct scene_binding binding;
-    brdf_status status =
-        binding_check_range(loader, child, &loader->scene->textures[number], parameter);
-    memset(&binding, 0, sizeof binding);
-    binding.word = brdf_parameter_place(model, parameter);
-    binding.color = parameter->kind == BRDF_KIND_COLOR;
-    binding.record.texture = number;
-    binding.record.low = parameter->low;
-    binding.record.high = parameter->high;
-    binding_insert(bindings, &binding);
-    return status;
+                      "%s: the texture's values are %g to %g: expected %g to %g", name,
+                      (double)least, (double)most, low, high);
 }
 
 /* The parameter that a texture may set, itself or through an alias; NULL if none. */
@@ -90,6 +74,36 @@ static brdf_status binding_fail_name(const struct scene_loader *loader,
     return scene_fail_unknown(loader, child, what, name, known, count);
 }
 
+/* All words that a parameter sets. */
+static brdf_status binding_add(struct scene_loader *loader, struct xml_node *child,
+                               const struct brdf_model_info *model,
+                               const struct brdf_parameter_info *parameter,
+                               struct scene_bindings *bindings)
+{
+    const struct brdf_parameter_info *target = binding_target(model, parameter, 0);
+    struct scene_binding binding;
+    brdf_status status;
+    memset(&binding, 0, sizeof binding);
+    status =
+        scene_texture_read(loader, scene_reference_target(loader, child), &binding.record.texture);
+    if (!status) {
+        status = scene_texture_output(loader, child, binding.record.texture, parameter->name,
+                                      &binding.record.output);
+    }
+    for (int item = 0; target && !status; ++item) {
+        binding.word = brdf_parameter_place(model, target);
+        binding.color = target->kind == BRDF_KIND_COLOR;
+        binding.record.low = target->low;
+        binding.record.high = target->high;
+        if (item == 0) { /* those of an alias have one range */
+            status = binding_check_range(loader, child, &binding, parameter->name);
+        }
+        binding_insert(bindings, &binding);
+        target = binding_target(model, parameter, item + 1);
+    }
+    return status;
+}
+
 brdf_status scene_binding_read(struct scene_loader *loader, struct xml_node *child,
                                const struct brdf_model_info *model, struct scene_bindings *bindings,
                                struct brdf_setting *stand_in)
@@ -97,7 +111,6 @@ brdf_status scene_binding_read(struct scene_loader *loader, struct xml_node *chi
     const char *name = xml_attribute_get(child, "name");
     const struct brdf_parameter_info *parameter = name ? brdf_parameter_find(model, name) : NULL;
     const struct brdf_parameter_info *target;
-    int number = 0;
     if (!name) {
         return scene_fail(loader, child, BRDF_BAD_FILE,
                           "a texture needs a name: that of the parameter of %s that it sets",
@@ -112,12 +125,7 @@ brdf_status scene_binding_read(struct scene_loader *loader, struct xml_node *chi
                           "\"%s\" cannot be a <texture>: it is one for the whole surface", name);
     }
     *stand_in = brdf_setting_real(parameter->name, target->initial);
-    brdf_status status = scene_texture_read(loader, scene_reference_target(loader, child), &number);
-    for (int item = 0; target && !status; ++item) {
-        status = binding_add(loader, child, model, target, number, bindings);
-        target = binding_target(model, parameter, item + 1);
-    }
-    return status;
+    return binding_add(loader, child, model, parameter, bindings);
 }
 
 brdf_status scene_bindings_keep(struct scene_loader *loader, const struct xml_node *node,

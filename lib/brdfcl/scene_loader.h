@@ -141,7 +141,8 @@ void scene_matrix_multiply(const double a[16], const double b[16], double produc
 void scene_matrix_point(const double m[16], const double p[3], double out[3]);
 void scene_matrix_vector(const double m[16], const double v[3], double out[3]);
 void scene_matrix_normal(const double m[16], const double n[3], double out[3]); /* unit */
-double scene_matrix_determinant(const double m[16]);                            /* upper 3 x 3 */
+void scene_matrix_inverse(const double m[16], double inverse[16]); /* m is not singular */
+double scene_matrix_determinant(const double m[16]);               /* upper 3 x 3 */
 int scene_matrix_is_singular(const double m[16]); /* has no inverse in float's precision */
 
 /* Are the columns of the upper 3 x 3 orthogonal, and all of the same length? */
@@ -167,6 +168,22 @@ brdf_status scene_compose_read(struct scene_loader *loader, struct xml_node *nod
  * parameter by it also looks at least and most of brdfcl_scene.textures[*number].
  */
 brdf_status scene_texture_read(struct scene_loader *loader, struct xml_node *node, int *number);
+
+/* The part of scene_texture_read that reads a woodgrain's element, and the names of what it can
+   set. scene_woodgrain.c */
+brdf_status scene_woodgrain_read(struct scene_loader *loader, struct xml_node *node,
+                                 struct scene_texture *texture);
+
+/*
+ * Which output of a texture sets a parameter: the one that the file asks for, or else, of a
+ * woodgrain, the one that is meant for parameters of this name. Fails where there is none.
+ */
+brdf_status scene_texture_output(const struct scene_loader *loader, const struct xml_node *node,
+                                 int texture, const char *parameter, int *output);
+
+/* The least and the greatest value of an output. */
+void scene_texture_range(const struct scene_texture *texture, int output, float *least,
+                         float *most);
 
 #define SCENE_BINDINGS_MAX BRDF_MATERIAL_WORDS
 

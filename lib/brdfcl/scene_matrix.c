@@ -56,6 +56,23 @@ static void matrix_cofactors(const double m[16], double c[9])
     }
 }
 
+void scene_matrix_inverse(const double m[16], double inverse[16])
+{
+    double c[9];
+    double out[16];
+    matrix_cofactors(m, c);
+    double determinant = m[0] * c[0] + m[1] * c[1] + m[2] * c[2];
+    scene_matrix_identity(out);
+    for (int i = 0; i < 3; ++i) {
+        out[4 * i + 3] = 0.0;
+        for (int j = 0; j < 3; ++j) {
+            out[4 * i + j] = c[3 * j + i] / determinant;
+            out[4 * i + 3] -= out[4 * i + j] * m[4 * j + 3];
+        }
+    }
+    memcpy(inverse, out, sizeof out);
+}
+
 double scene_matrix_determinant(const double m[16])
 {
     double c[9];

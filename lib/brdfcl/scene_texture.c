@@ -1,5 +1,5 @@
 /*
- * scene_texture.c - <texture>: bitmap and checkerboard.
+ * scene_texture.c - <texture>: bitmap and checkerboard; scene_woodgrain.c reads the third kind.
  */
 #include "scene_loader.h"
 
@@ -204,7 +204,7 @@ static brdf_status texture_keep(struct scene_loader *loader, const struct xml_no
 
 static brdf_status texture_make(struct scene_loader *loader, struct xml_node *node, int *number)
 {
-    static const char *const types[] = {"bitmap", "checkerboard"};
+    static const char *const types[] = {"bitmap", "checkerboard", "woodgrain"};
     const char *type = xml_attribute_get(node, "type");
     struct scene_texture texture;
     brdf_status status;
@@ -215,6 +215,8 @@ static brdf_status texture_make(struct scene_loader *loader, struct xml_node *no
         status = texture_bitmap(loader, node, &texture);
     } else if (strcmp(type, "checkerboard") == 0) {
         status = texture_checkerboard(loader, node, &texture);
+    } else if (strcmp(type, "woodgrain") == 0) {
+        status = scene_woodgrain_read(loader, node, &texture);
     } else {
         return scene_fail_unknown(loader, node, "texture", type, types, COUNT(types));
     }

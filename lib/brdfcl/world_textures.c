@@ -62,6 +62,7 @@ brdf_status world_textures(const struct brdfcl_scene *scene, struct world *world
         world_append(words, NULL, scene->texture_count * record_words, &settings->textures, error);
     for (size_t i = 0; i < scene->texture_count && status == BRDF_OK; ++i) {
         struct pt_texture record = scene->textures[i].record;
+        settings->features |= record.kind == PT_TEXTURE_WOODGRAIN ? PT_HAS_WOODGRAINS : 0;
         if (record.kind == PT_TEXTURE_BITMAP) {
             settings->features |= PT_HAS_BITMAPS;
             settings->features |= scene->textures[i].codes ? 0 : PT_HAS_FLOAT_TEXELS;
