@@ -1,64 +1,37 @@
-/* eval.c - brdfcl eval: f, f cos and pdf of a material for two directions. */
+/* eval.c - brdfcl eval: f, f cos and pdf of a material for two directions, or for many. */
 #include <math.h>
 #include <stdio.h>
 
-#include <brdf/material.h>
-#include <brdfcl/evaluate.h>
-
 #include "backend.h"
 #include "commands.h"
+#include "evaluation.h"
 #include "options.h"
 #include "parse.h"
 #include "say.h"
 
-static const char summary[] = "Evaluate a material, such as roughconductor:material=Cu,alpha=0.2, "
-                              "for a direction to the viewer\n"
-                              "and one to the light; degrees from the normal and around it.";
+static const char summary[] =
+    "Evaluate a material, such as roughconductor:material=Cu,alpha=0.2, for a direction to the "
+    "viewer\n"
+    "and one to the light; degrees from the normal and around it. With --directions, for as many "
+    "pairs\n"
+    "as a file has; f and pdf [1/sr] of each are printed as CSV.";
 
-struct values {
-    float f[3]; /* 1/sr */
-    float pdf;  /* 1/sr */
-};
-
-static brdf_status evaluate_opencl(const struct backend *backend, const struct brdf_bsdf *bsdf,
-                                   brdf_vec3 wo, brdf_vec3 wi, struct values *values,
-                                   struct brdf_error *error)
+/* f, f cos and pdf for two directions. */
+static brdf_status print_pair(const struct evaluation *evaluation, brdf_vec3 wo, brdf_vec3 wi,
+                              struct brdf_error *error)
 {
+    float f[3], pdf;
     struct brdf_vectors wo_array = {&wo.x, &wo.y, &wo.z};
     struct brdf_vectors wi_array = {&wi.x, &wi.y, &wi.z};
-    struct brdf_colors f = {&values->f[0], &values->f[1], &values->f[2]};
-    struct brdfcl_device *device = NULL;
-    struct brdfcl_evaluator *evaluator = NULL;
-    brdf_status status = backend_open(backend, &device, error);
+    struct brdf_colors colors = {&f[0], &f[1], &f[2]};
+    brdf_status status = evaluation_run(evaluation, 1, wo_array, wi_array, colors, &pdf, error);
     if (!status) {
-        status = brdfcl_evaluator_create(device, bsdf, &evaluator, error);
+        double cosine = fabs((double)wi.z);
+        printf("f      %.9g %.9g %.9g  1/sr\n", (double)f[0], (double)f[1], (double)f[2]);
+        printf("f cos  %.9g %.9g %.9g  1/sr\n", (double)f[0] * cosine, (double)f[1] * cosine,
+               (double)f[2] * cosine);
+        printf("pdf    %.9g  1/sr\n", (double)pdf);
     }
-    if (!status) {
-        status = brdfcl_evaluator_eval(evaluator, 1, wo_array, wi_array, f, error);
-    }
-    if (!status) {
-        status = brdfcl_evaluator_pdf(evaluator, 1, wo_array, wi_array, &values->pdf, error);
-    }
-    brdfcl_evaluator_destroy(evaluator);
-    brdfcl_device_close(device);
-    return status;
-}
-
-static brdf_status evaluate(const struct backend *backend, const char *description, brdf_vec3 wo,
-                            brdf_vec3 wi, struct values *values, struct brdf_error *error)
-{
-    struct brdf_bsdf *bsdf = NULL;
-    brdf_status status = brdf_bsdf_create(description, &bsdf, error);
-    if (!status && backend->kind == BACKEND_OPENCL) {
-        status = evaluate_opencl(backend, bsdf, wo, wi, values, error);
-    } else if (!status) {
-        brdf_rgb f = brdf_eval(bsdf, wo, wi);
-        values->f[0] = f.r;
-        values->f[1] = f.g;
-        values->f[2] = f.b;
-        values->pdf = brdf_pdf(bsdf, wo, wi);
-    }
-    brdf_bsdf_destroy(bsdf);
     return status;
 }
 
@@ -66,9 +39,12 @@ int command_eval(int argc, char **argv)
 {
     struct angles wo_angles = {0.0, 0.0, 0}, wi_angles = {0.0, 0.0, 0};
     struct backend backend = {BACKEND_C, NULL, 0, 0};
+    const char *directions = NULL;
     const struct option options[] = {
         {"wo", 0, OPTION_ANGLES, &wo_angles, "THETA,PHI", 0, 0, "to the viewer [degrees]"},
         {"wi", 0, OPTION_ANGLES, &wi_angles, "THETA,PHI", 0, 0, "to the light [degrees]"},
+        {"directions", 0, OPTION_TEXT, &directions, "FILE", 0, 0,
+         "pairs of unit vectors instead, a line each: x,y,z,x,y,z; - is standard input"},
         {"backend", 0, OPTION_CHOICE, &backend.kind, BACKEND_NAMES, 0, 0,
          "where to compute; c if not given, both give the same bits"},
         {"device", 0, OPTION_TEXT, &backend.device, "D", 0, 0,
@@ -86,20 +62,21 @@ int command_eval(int argc, char **argv)
     if (status != OPTIONS_GO_ON) {
         return status;
     }
-    if (!wo_angles.given || !wi_angles.given) {
-        return say_usage("eval needs both --wo THETA,PHI and --wi THETA,PHI");
+    if (directions && (wo_angles.given || wi_angles.given)) {
+        return say_usage("eval takes --directions, or --wo and --wi, but not both");
+    }
+    if (!directions && (!wo_angles.given || !wi_angles.given)) {
+        return say_usage("eval needs both --wo THETA,PHI and --wi THETA,PHI, or --directions FILE");
     }
     struct brdf_error error = {BRDF_OK, ""};
-    struct values values;
-    brdf_vec3 wi = direction_of_angles(wi_angles);
-    if (evaluate(&backend, arguments.item[0], direction_of_angles(wo_angles), wi, &values,
-                 &error)) {
-        return say_error(&error);
+    struct evaluation evaluation;
+    brdf_status failed = evaluation_open(&evaluation, &backend, arguments.item[0], &error);
+    if (!failed && directions) {
+        failed = evaluation_print_file(&evaluation, directions, &error);
+    } else if (!failed) {
+        failed = print_pair(&evaluation, direction_of_angles(wo_angles),
+                            direction_of_angles(wi_angles), &error);
     }
-    double cosine = fabs((double)wi.z);
-    double f[3] = {(double)values.f[0], (double)values.f[1], (double)values.f[2]};
-    printf("f      %.9g %.9g %.9g  1/sr\n", f[0], f[1], f[2]);
-    printf("f cos  %.9g %.9g %.9g  1/sr\n", f[0] * cosine, f[1] * cosine, f[2] * cosine);
-    printf("pdf    %.9g  1/sr\n", (double)values.pdf);
-    return EXIT_DONE;
+    evaluation_close(&evaluation);
+    return failed ? say_error(&error) : EXIT_DONE;
 }

@@ -1,8 +1,42 @@
 #!/bin/sh
-# cli_statistics.sh - the commands that measure and test materials: brdfcl albedo, brdfcl test.
+# cli_statistics.sh - the commands that measure and test materials: brdfcl eval in bulk, albedo, test.
 set -eu
 
 . "$(dirname "$0")/support_cli"
+
+# --- eval --directions ------------------------------------------------------------------------------
+
+made=pairs.csv
+cat >pairs.csv <<'CSV'
+wo_x,wo_y,wo_z,wi_x,wi_y,wi_z
+0,0,1, 0.6,0,0.8
+
+0.6 0 0.8 -0.6 0 0.8
+0,0,1,0,0,-1
+CSV
+last='eval --directions'
+expect 0 eval diffuse:reflectance=0.5 --directions pairs.csv
+says out '^f_r,f_g,f_b,pdf$'
+says out '^0.159154937,0.159154937,0.159154937,0.2546'
+says out '^0,0,0,0$'
+holds 'not one line a pair' [ "$(wc -l <out)" -eq 4 ]
+cp out c.csv
+expect 0 eval diffuse:reflectance=0.5 --directions pairs.csv --backend opencl --lanes 8
+holds 'C and OpenCL differ' cmp -s out c.csv
+rm c.csv
+last='eval --directions -'
+status=0
+"$BRDFCL" eval diffuse --directions - <pairs.csv >out 2>err || status=$?
+holds "status $status" [ "$status" -eq 0 ]
+holds 'not one line a pair' [ "$(wc -l <out)" -eq 4 ]
+refused 2 'but not both' eval diffuse --directions pairs.csv --wo 0,0
+refused 1 'nope.csv' eval diffuse --directions nope.csv
+echo '0,0,1,0,0' >>pairs.csv
+refused 1 'pairs.csv:6: expected six numbers' eval diffuse --directions pairs.csv
+echo '0,0,1,0,0,2' >pairs.csv
+refused 1 'pairs.csv:1: wi has the length 2' eval diffuse --directions pairs.csv
+rm pairs.csv
+made=
 
 # --- albedo ----------------------------------------------------------------------------------------
 
