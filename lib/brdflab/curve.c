@@ -55,12 +55,42 @@ static void follow(struct tracer *tracer, double t, struct lab_point a, double s
     struct lab_point m = tracer->function(middle, tracer->data);
     int near = distance(a, b, m) <= tracer->tolerance && hypot(b.x - a.x, b.y - a.y) < 20.0;
     if (near || depth == 0 || tracer->failed || tracer->curve->count > MOST) {
-        put(tracer, m);
         put(tracer, b);
         return;
     }
     follow(tracer, t, a, middle, m, depth - 1);
     follow(tracer, middle, m, s, b, depth - 1);
+}
+
+/* Does the line from a to b pass near all the points between? */
+static int near_all(const struct lab_point *point, size_t a, size_t b, double tolerance)
+{
+    for (size_t i = a + 1; i < b; ++i) {
+        double along = (point[i].x - point[a].x) * (point[b].x - point[a].x) +
+                       (point[i].y - point[a].y) * (point[b].y - point[a].y);
+        if (along < 0.0 || distance(point[a], point[b], point[i]) > tolerance) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* Leave out points that lie on the way: knots and the grid are needed to see, not to draw. */
+static void thin(struct lab_curve *curve, double tolerance)
+{
+    enum { LONGEST = 64 }; /* points that one line stands for, so that time is linear */
+    struct lab_point *point = curve->point;
+    size_t kept = 1, last = 0;
+    for (size_t i = 1; i + 1 < curve->count; ++i) {
+        if (i + 1 - last > LONGEST || !near_all(point, last, i + 1, tolerance)) {
+            last = i;
+            point[kept++] = point[i];
+        }
+    }
+    if (curve->count > 1) {
+        point[kept++] = point[curve->count - 1];
+    }
+    curve->count = kept;
 }
 
 brdf_status lab_curve_trace(lab_curve_function *function, const void *data, double low, double high,
@@ -94,6 +124,7 @@ brdf_status lab_curve_trace(lab_curve_function *function, const void *data, doub
         lab_curve_free(curve);
         return brdf_fail(error, BRDF_OUT_OF_MEMORY, "no memory for the points of a curve");
     }
+    thin(curve, tolerance);
     return BRDF_OK;
 }
 

@@ -22,9 +22,10 @@ struct lab_curve {
 typedef struct lab_point lab_curve_function(double t, const void *data);
 
 /*
- * Follow a function from t = low to high: through `count` knots (ascending; those outside are left
- * out) and a grid of 1 in 90, halving each step until its middle is within `tolerance` of the
- * straight line. On failure (BRDF_OUT_OF_MEMORY) the curve is empty.
+ * Follow a function from t = low to high: from one of `count` knots (ascending; those outside are
+ * left out) and of a grid of 1 in 90 to the next, halving each step until its middle is within
+ * `tolerance` of the straight line. Points that the lines between others pass as near are then left
+ * out. On failure (BRDF_OUT_OF_MEMORY) the curve is empty.
  */
 brdf_status lab_curve_trace(lab_curve_function *function, const void *data, double low, double high,
                             const double *knot, int count, double tolerance,
