@@ -8,6 +8,7 @@
  *   brdf_int    an integer of the same number of lanes
  *   brdf_uint   an unsigned integer of the same number of lanes
  *   brdf_mask   what a comparison yields: 0 is false; combine with &, | and !, never && or ||
+ *   BRDF_COEFFICIENTS  a pointer into an array that is BRDF_CONSTANT
  *   BRDF_UNROLL before a loop of constant length whose counter chooses what is to live in registers
  *
  * Infix operators mean the same lane by lane in both languages. What C spells with a statement
@@ -37,6 +38,7 @@
 #define BRDF_GLOBAL __global
 #define BRDF_UNROLL _Pragma("unroll")
 #define BRDF_CONSTANT __constant
+#define BRDF_COEFFICIENTS __constant float *
 
 #if BRDF_LANES == 1
 typedef float brdf_real;
@@ -99,6 +101,7 @@ typedef brdf_int brdf_mask;
 #define BRDF_GLOBAL
 #define BRDF_UNROLL
 #define BRDF_CONSTANT static const
+#define BRDF_COEFFICIENTS const float *
 
 typedef float brdf_real;
 typedef int brdf_int;

@@ -66,4 +66,23 @@ static inline brdf_rgb brdf_fresnel_schlick(brdf_real cos_i, brdf_rgb normal)
     return brdf_rgb_add(brdf_rgb_scale(normal, 1.0f - rise), brdf_gray(rise));
 }
 
+/*
+ * Means over diffuse light, integrals of 2 F(cos) cos dcos. Of a conductor by four nodes of Gauss:
+ * to 1e-3 for metals (k > 1), where F is smooth; of Schlick's approximation exact.
+ */
+static inline brdf_rgb brdf_fresnel_conductor_mean(brdf_rgb eta, brdf_rgb k)
+{
+    brdf_rgb a = brdf_rgb_scale(brdf_fresnel_conductor(0.0694318442f, eta, k), 0.0241523f);
+    brdf_rgb b = brdf_rgb_scale(brdf_fresnel_conductor(0.3300094782f, eta, k), 0.2152141f);
+    brdf_rgb c = brdf_rgb_scale(brdf_fresnel_conductor(0.6699905218f, eta, k), 0.4369311f);
+    brdf_rgb d = brdf_rgb_scale(brdf_fresnel_conductor(0.9305681558f, eta, k), 0.3237026f);
+    brdf_rgb sum = brdf_rgb_add(brdf_rgb_add(a, b), brdf_rgb_add(c, d));
+    return brdf_rgb_make(brdf_min(sum.r, 1.0f), brdf_min(sum.g, 1.0f), brdf_min(sum.b, 1.0f));
+}
+
+static inline brdf_rgb brdf_fresnel_schlick_mean(brdf_rgb normal)
+{
+    return brdf_rgb_add(brdf_rgb_scale(normal, 20.0f / 21.0f), brdf_gray(1.0f / 21.0f));
+}
+
 #endif

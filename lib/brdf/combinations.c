@@ -25,6 +25,8 @@ static const struct exclusion exclusions[] = {
     {BRDF_MODEL_ROUGHCONDUCTOR, "masking", "separable", "distribution", "blinn",
      "Smith's masking of it has no closed form; take rational, Beckmann's in its place, or "
      "vcavity"},
+    {BRDF_MODEL_ROUGHCONDUCTOR, "multiscatter", "kullaconty", "distribution", "blinn",
+     "what it loses is known of beckmann and ggx; beckmann of the same alpha looks much the same"},
 };
 
 static int has_option(const struct brdf_model_info *model, unsigned choices, const char *name,

@@ -5,14 +5,14 @@
  * facets.h. References: Torrance and Sparrow 1967; Walter et al. 2007, eq. 20; Heitz 2014, eq. 15
  * and 99; visible normals: Heitz and d'Eon 2014, Dupuy and Benyoub 2023.
  * F is that of a conductor, exact or by Schlick's approximation from what eta and k reflect under a
- * right angle. Light that would meet several facets is lost, so that rough metals are too dark: a
- * property of the model.
+ * right angle. Light that would meet several facets is lost, so that rough metals are too dark,
+ * unless `multiscatter` brings it back: Kulla and Conty 2017, by energy.h.
  * As Mitsuba 3 has it: masking is `separable` for ggx and `rational` for beckmann.
  */
 #ifndef BRDF_MODEL_ROUGHCONDUCTOR_H
 #define BRDF_MODEL_ROUGHCONDUCTOR_H
 
-#include "../facets.h"
+#include "../energy.h"
 #include "../fresnel.h"
 #include "../parameters.h"
 #include "../sample.h"
@@ -23,6 +23,7 @@
       "Smith's exact, one by one, Beckmann's approximated; V-shaped grooves")                      \
     P(CHOICE, fresnel, 0, 0, 1, "exact|schlick", "what a facet reflects")                          \
     P(CHOICE, sample_visible, 1, 0, 1, "false|true", "sample visible normals, or all of them")     \
+    P(CHOICE, multiscatter, 0, 0, 1, "none|kullaconty", "light that meets several facets")         \
     P(METAL, material, "Cu", 0, 0, "", "name of a metal: sets eta and k")                          \
     P(COLOR, eta, 0.0f, 0.0f, 100.0f, "1", "refractive index, real part")                          \
     P(COLOR, k, 1.0f, 0.0f, 100.0f, "1", "refractive index, imaginary part")                       \
@@ -46,18 +47,46 @@ static inline struct brdf_facets brdf_roughconductor_facets(struct brdf_roughcon
     return facets;
 }
 
-/* What one facet reflects that mirrors wo into wi; the same bits in both directions. */
+/* What one facet reflects under an angle with this cosine. */
+static inline brdf_rgb brdf_roughconductor_fresnel(struct brdf_roughconductor p, brdf_real cosine)
+{
+    if (p.fresnel == 0) {
+        return brdf_fresnel_conductor(cosine, p.eta, p.k);
+    }
+    return brdf_fresnel_schlick(cosine, brdf_fresnel_conductor(1.0f, p.eta, p.k));
+}
+
+/* The same for the facet that mirrors wo into wi, with the same bits in both directions. */
 static inline brdf_rgb brdf_roughconductor_facet(struct brdf_roughconductor p, brdf_vec3 wo,
                                                  brdf_vec3 wi)
 {
     brdf_vec3 h = brdf_normalize(brdf_add(wo, wi));
-    brdf_real cos_h = brdf_clamp(0.5f * (brdf_dot(wo, h) + brdf_dot(wi, h)), 0.0f, 1.0f);
-    brdf_real exact = p.fresnel == 0 ? cos_h : 1.0f;
-    brdf_rgb fresnel = brdf_fresnel_conductor(exact, p.eta, p.k);
-    if (p.fresnel != 0) {
-        fresnel = brdf_fresnel_schlick(cos_h, fresnel);
-    }
-    return brdf_rgb_mul(p.specular_reflectance, fresnel);
+    brdf_real cosine = brdf_clamp(0.5f * (brdf_dot(wo, h) + brdf_dot(wi, h)), 0.0f, 1.0f);
+    return brdf_rgb_mul(p.specular_reflectance, brdf_roughconductor_fresnel(p, cosine));
+}
+
+/* The lobe of light that has met several facets. */
+static inline brdf_rgb brdf_roughconductor_lobe(struct brdf_roughconductor p,
+                                                struct brdf_energy energy, brdf_vec3 wo,
+                                                brdf_vec3 wi)
+{
+    brdf_real lobe =
+        brdf_energy_lobe(energy, brdf_energy_loss(energy, brdf_clamp(wo.z, 0.0f, 1.0f)),
+                         brdf_energy_loss(energy, brdf_clamp(wi.z, 0.0f, 1.0f)));
+    brdf_rgb normal = brdf_fresnel_conductor(1.0f, p.eta, p.k);
+    brdf_rgb mean = p.fresnel == 0 ? brdf_fresnel_conductor_mean(p.eta, p.k)
+                                   : brdf_fresnel_schlick_mean(normal);
+    brdf_rgb color = brdf_rgb_mul(p.specular_reflectance, brdf_energy_color(energy, mean));
+    return brdf_rgb_scale(color, lobe);
+}
+
+/* The probability of sampling that lobe: its part of all that is reflected, nearly. */
+static inline brdf_real brdf_roughconductor_share(struct brdf_roughconductor p,
+                                                  struct brdf_energy energy, brdf_vec3 wo)
+{
+    brdf_real loss = brdf_energy_loss(energy, brdf_clamp(wo.z, 0.0f, 1.0f));
+    brdf_real several = loss * brdf_rgb_largest(brdf_fresnel_conductor(1.0f, p.eta, p.k));
+    return several / ((1.0f - loss) + brdf_max(several, 1e-6f));
 }
 
 static inline brdf_rgb brdf_roughconductor_eval(struct brdf_roughconductor p, brdf_vec3 wo,
@@ -70,6 +99,9 @@ static inline brdf_rgb brdf_roughconductor_eval(struct brdf_roughconductor p, br
     brdf_real d = brdf_facets_d(facets, h);
     brdf_real g = brdf_facets_visibility(facets, h, wo, wi);
     brdf_rgb f = brdf_rgb_scale(brdf_roughconductor_facet(p, wo, wi), 0.25f * d * g);
+    if (p.multiscatter) {
+        f = brdf_rgb_add(f, brdf_roughconductor_lobe(p, brdf_energy_make(facets), wo, wi));
+    }
     return brdf_rgb_pick(above, f, brdf_gray(0.0f));
 }
 
@@ -81,13 +113,40 @@ static inline brdf_real brdf_roughconductor_pdf(struct brdf_roughconductor p, br
     brdf_mask above = (wo.z > 0.0f) & (wi.z > 0.0f);
     struct brdf_half h = brdf_half_make(wo, wi);
     brdf_real pdf = brdf_facets_pdf(facets, h, wo, brdf_facets_d(facets, h));
+    if (p.multiscatter) {
+        struct brdf_energy energy = brdf_energy_make(facets);
+        brdf_real share = brdf_roughconductor_share(p, energy, wo);
+        pdf = (1.0f - share) * pdf + share * brdf_energy_pdf(energy, brdf_clamp(wi.z, 0.0f, 1.0f));
+    }
     return brdf_pick(above, pdf, 0.0f);
+}
+
+/* One of both lobes by u.z; what is left of it is for the facet. */
+static inline struct brdf_sample brdf_roughconductor_sample_both(struct brdf_roughconductor p,
+                                                                 brdf_vec3 wo, brdf_vec3 u,
+                                                                 BRDF_GLOBAL const float *table)
+{
+    struct brdf_facets facets = brdf_roughconductor_facets(p);
+    struct brdf_energy energy = brdf_energy_make(facets);
+    brdf_real share = brdf_roughconductor_share(p, energy, wo);
+    brdf_mask several = u.z < share;
+    u.z = brdf_clamp((u.z - share) / brdf_max(1.0f - share, 1e-7f), 0.0f, 0.99999994f);
+    brdf_vec3 mirrored = brdf_half_mirror(wo, brdf_facets_sample(facets, wo, u));
+    brdf_vec3 wi = brdf_vec3_pick(several, brdf_energy_sample(energy, u.x, u.y), mirrored);
+    brdf_real pdf = brdf_roughconductor_pdf(p, wo, wi, table);
+    brdf_mask valid = pdf > 1e-20f;
+    brdf_real scale = brdf_max(wi.z, 0.0f) / brdf_pick(valid, pdf, 1.0f);
+    brdf_rgb weight = brdf_rgb_scale(brdf_roughconductor_eval(p, wo, wi, table), scale);
+    return brdf_sample_where(valid, brdf_sample_make(wi, weight, pdf));
 }
 
 static inline struct brdf_sample brdf_roughconductor_sample(struct brdf_roughconductor p,
                                                             brdf_vec3 wo, brdf_vec3 u,
                                                             BRDF_GLOBAL const float *table)
 {
+    if (p.multiscatter) {
+        return brdf_roughconductor_sample_both(p, wo, u, table);
+    }
     struct brdf_facets facets = brdf_roughconductor_facets(p);
     brdf_vec3 wi = brdf_half_mirror(wo, brdf_facets_sample(facets, wo, u));
     struct brdf_half h = brdf_half_make(wo, wi);
