@@ -2,9 +2,11 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "brdflab/bake.h"
 #include "brdflab/compare.h"
 #include "brdflab/complete.h"
 #include "brdflab/open.h"
+#include "brdflab/survey.h"
 #include "commands.h"
 #include "json.h"
 #include "measured.h"
@@ -27,7 +29,9 @@ struct convert_run {
     const char *json_path;
     int format; /* enum lab_format */
     int fill;
+    struct brdf_rgl_grid grid;
     struct lab_difference difference;
+    double reciprocity; /* of what was read, as lab_reciprocity tells it */
 };
 
 static int read_command_line(struct convert_run *run, int argc, char **argv)
@@ -37,6 +41,10 @@ static int read_command_line(struct convert_run *run, int argc, char **argv)
          "of OUT; by its suffix, .binary or .bsdf, if not given"},
         {"no-fill", 0, OPTION_OFF, &run->fill, NULL, 0, 0,
          "MERL to MERL: 0, and not a value from its neighbours, for what was not measured"},
+        {"thetas", 0, OPTION_INT, &run->grid.thetas, "N", 2, 256,
+         "RGL: polar angles of the viewer; 17 if not given"},
+        {"size", 0, OPTION_INT, &run->grid.size, "N", 2, 1024,
+         "RGL: nodes along the sides of a view's square; 128, 64 if anisotropic"},
         {"json", 0, OPTION_TEXT, &run->json_path, "FILE", 0, 0,
          "write the differences as JSON; - is standard output, which then has nothing else"},
     };
@@ -70,6 +78,19 @@ static brdf_status write_merl(const struct convert_run *run, struct brdf_error *
     return status;
 }
 
+static brdf_status write_rgl(const struct convert_run *run, const struct brdf_bsdf *in,
+                             struct brdf_error *error)
+{
+    struct brdf_rgl_file file;
+    brdf_status status = lab_bake_rgl(in, &run->grid, &file, error);
+    if (status) {
+        return status;
+    }
+    status = measured_write_rgl(run->out, &file, error);
+    brdf_rgl_free(&file);
+    return status;
+}
+
 /* The difference is that of what is on the disk now. */
 static brdf_status compare(struct convert_run *run, const struct brdf_bsdf *in,
                            struct brdf_error *error)
@@ -78,6 +99,7 @@ static brdf_status compare(struct convert_run *run, const struct brdf_bsdf *in,
     brdf_status status = lab_open(run->out, &out, NULL, error);
     if (!status) {
         run->difference = lab_compare(in, out);
+        run->reciprocity = lab_reciprocity(in);
     }
     brdf_bsdf_destroy(out);
     return status;
@@ -94,7 +116,7 @@ static brdf_status convert(struct convert_run *run, struct brdf_error *error)
         status = lab_open(run->in, &in, NULL, error);
     }
     if (!status) {
-        status = write_merl(run, error);
+        status = run->format == LAB_FORMAT_RGL ? write_rgl(run, in, error) : write_merl(run, error);
     }
     if (!status) {
         status = compare(run, in, error);
@@ -111,6 +133,11 @@ static void print_difference(const struct convert_run *run)
     printf("difference  rms %.3g  mean %.3g  albedo %.2g\n", d->rms, d->mean, d->albedo);
     printf("largest     %.3g of f, at wo %.1f,%.1f wi %.1f,%.1f\n", d->worst, wo.theta, wo.phi,
            wi.theta, wi.phi);
+    if (run->format == LAB_FORMAT_MERL && run->reciprocity > 0.01) {
+        printf("reciprocity f(wo, wi) and f(wi, wo) differ by %.2g of f in %s; MERL has one value, "
+               "their mean\n",
+               run->reciprocity, run->in);
+    }
 }
 
 static void put_angles(struct json *json, const char *key, brdf_vec3 w)
@@ -133,6 +160,7 @@ static brdf_status write_json(const struct convert_run *run, struct brdf_error *
     json_real(&json, "rms", d->rms);
     json_real(&json, "mean", d->mean);
     json_real(&json, "albedo", d->albedo);
+    json_real(&json, "reciprocity", run->reciprocity);
     json_real(&json, "largest", d->worst);
     put_angles(&json, "largest_wo", d->wo);
     put_angles(&json, "largest_wi", d->wi);

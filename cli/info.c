@@ -22,19 +22,40 @@ struct info_run {
     enum lab_format format;
     struct lab_survey survey;
     struct lab_merl_survey merl; /* if that is the format */
+    struct lab_rgl_survey rgl;
 };
+
+static brdf_status survey_rgl(struct info_run *run, const struct brdf_bsdf *bsdf,
+                              struct brdf_error *error)
+{
+    struct brdf_rgl_file file;
+    brdf_status status = brdf_rgl_read(run->path, &file, error);
+    if (!status) {
+        lab_survey_rgl(&file, bsdf, &run->rgl);
+        brdf_rgl_free(&file);
+    }
+    return status;
+}
+
+static brdf_status survey_merl(struct info_run *run, struct brdf_error *error)
+{
+    struct brdf_merl_file file;
+    brdf_status status = brdf_merl_read(run->path, BRDF_MERL_INVALID_KEEP, &file, error);
+    if (!status) {
+        lab_survey_merl(&file, &run->merl);
+        brdf_merl_free(&file);
+    }
+    return status;
+}
 
 static brdf_status survey(struct info_run *run, struct brdf_error *error)
 {
     struct brdf_bsdf *bsdf = NULL;
-    struct brdf_merl_file file;
     brdf_status status = lab_open(run->path, &bsdf, &run->format, error);
     if (!status && run->format == LAB_FORMAT_MERL) {
-        status = brdf_merl_read(run->path, BRDF_MERL_INVALID_KEEP, &file, error);
-        if (!status) {
-            lab_survey_merl(&file, &run->merl);
-            brdf_merl_free(&file);
-        }
+        status = survey_merl(run, error);
+    } else if (!status && run->format == LAB_FORMAT_RGL) {
+        status = survey_rgl(run, bsdf, error);
     }
     if (!status) {
         lab_survey_make(bsdf, &run->survey);
@@ -45,8 +66,10 @@ static brdf_status survey(struct info_run *run, struct brdf_error *error)
 
 static const char *doubt(const struct info_run *run, int number, char *text, size_t size)
 {
-    const struct lab_merl_survey *merl = run->format == LAB_FORMAT_MERL ? &run->merl : NULL;
-    return lab_survey_doubt(&run->survey, merl, number, text, size);
+    struct lab_findings findings = {&run->survey,
+                                    run->format == LAB_FORMAT_MERL ? &run->merl : NULL,
+                                    run->format == LAB_FORMAT_RGL ? &run->rgl : NULL};
+    return lab_survey_doubt(&findings, number, text, size);
 }
 
 static void print_place(const char *name, double value, struct lab_place at)
@@ -65,6 +88,17 @@ static void print_merl(const struct lab_merl_survey *m)
     print_place("largest f", m->most, m->most_at);
     printf("noise       %.2g of f between neighbours, %.2g beyond 60 degrees\n", m->noise,
            m->noise_grazing);
+}
+
+static void print_rgl(const struct lab_rgl_survey *r)
+{
+    printf("format      RGL: %s, %s\n", r->phis <= 2 ? "isotropic" : "anisotropic",
+           r->spectral ? "spectral" : "RGB");
+    printf("measured    %d x %d views (azimuths, polar angles up to %.1f degrees), each %d x %d, "
+           "%d %s\n",
+           r->phis, r->thetas, r->theta_most, r->size, r->size, r->channels,
+           r->spectral ? "wavelengths" : "channels");
+    printf("least f     %.5g 1/sr\nlargest f   %.5g 1/sr\n", r->least, r->most);
 }
 
 static void print_survey(const struct lab_survey *s)
@@ -92,6 +126,8 @@ static void print(const struct info_run *run)
     printf("%s\n", run->path);
     if (run->format == LAB_FORMAT_MERL) {
         print_merl(&run->merl);
+    } else if (run->format == LAB_FORMAT_RGL) {
+        print_rgl(&run->rgl);
     } else {
         printf("format      a description, not a file\n");
     }
@@ -138,6 +174,19 @@ static void put_merl(struct json *json, const struct lab_merl_survey *m)
     json_real(json, "noise_grazing", m->noise_grazing);
 }
 
+static void put_rgl(struct json *json, const struct lab_rgl_survey *r)
+{
+    json_int(json, "azimuths", r->phis);
+    json_int(json, "polar_angles", r->thetas);
+    json_real(json, "polar_angle_most", r->theta_most);
+    json_int(json, "size", r->size);
+    json_int(json, "channels", r->channels);
+    json_int(json, "spectral", r->spectral);
+    json_real(json, "negative_fraction", r->negative);
+    json_real(json, "least", r->least);
+    json_real(json, "largest", r->most);
+}
+
 static void put_survey(struct json *json, const struct lab_survey *s)
 {
     json_array(json, "albedo");
@@ -164,6 +213,8 @@ static brdf_status write_json(const struct info_run *run, struct brdf_error *err
     json_text(&json, "format", names[run->format]);
     if (run->format == LAB_FORMAT_MERL) {
         put_merl(&json, &run->merl);
+    } else if (run->format == LAB_FORMAT_RGL) {
+        put_rgl(&json, &run->rgl);
     }
     put_survey(&json, &run->survey);
     json_array(&json, "doubts");

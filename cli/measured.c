@@ -46,6 +46,16 @@ brdf_status measured_write(const char *path, const struct brdf_merl_file *file,
     return status;
 }
 
+brdf_status measured_write_rgl(const char *path, const struct brdf_rgl_file *file,
+                               struct brdf_error *error)
+{
+    stop_install();
+    stop_set_phase(STOP_WAITS);
+    brdf_status status = brdf_rgl_write(path, file, error);
+    stop_set_phase(STOP_QUITS);
+    return status;
+}
+
 brdf_status measured_copy(const char *from, const char *path, struct brdf_error *error)
 {
     stop_install();

@@ -5,6 +5,7 @@
 #define BRDFCL_MEASURED_H
 
 #include <brdf/merl.h>
+#include <brdf/rgl.h>
 
 #include "brdflab/open.h"
 
@@ -20,6 +21,8 @@ brdf_status measured_check(const char *path, struct brdf_error *error);
 /* Write a table, or copy a file to `path`, whole or not at all, whatever signal arrives. */
 brdf_status measured_write(const char *path, const struct brdf_merl_file *file,
                            struct brdf_error *error);
+brdf_status measured_write_rgl(const char *path, const struct brdf_rgl_file *file,
+                               struct brdf_error *error);
 brdf_status measured_copy(const char *from, const char *path, struct brdf_error *error);
 
 /* The exit status of a command whose work ended so: a signal that had to wait is obeyed now. */

@@ -61,6 +61,31 @@ for key in file format bins valid_fraction least largest noise albedo reciprocit
 done
 rm info.json holed.binary
 
+# --- RGL -------------------------------------------------------------------------------------------
+
+last='convert to RGL and back'
+expect 0 convert roughconductor:material=Cu,alpha=0.2 metal.bsdf --thetas 9 --size 32
+says out '^metal.bsdf: RGL, from roughconductor'
+says out '^difference  rms 0.00*[1-9]'
+expect 0 info metal.bsdf
+says out '^format      RGL: isotropic, RGB'
+says out '1 x 9 views .* each 32 x 32, 3 channels'
+expect 0 info metal.bsdf --json -
+cp out info.json
+holds 'not valid JSON' valid_json info.json
+for key in format azimuths polar_angles size channels spectral least largest albedo; do
+    says info.json "\"$key\": "
+done
+expect 0 convert metal.bsdf back.binary
+says out '^back.binary: MERL, from metal.bsdf'
+expect 0 convert roughconductor:alpha_u=0.1,alpha_v=0.3 brushed.bsdf --thetas 5 --size 16
+expect 0 info brushed.bsdf
+says out '^format      RGL: anisotropic, RGB'
+says out '9 x 5 views'
+expect 1 convert brushed.bsdf o.binary
+says err 'turned about its normal'
+rm info.json metal.bsdf brushed.bsdf back.binary
+
 # --- mix -------------------------------------------------------------------------------------------
 
 same() { # same A B WHAT

@@ -24,19 +24,22 @@ static inline struct brdf_merl_file lab_test_bake(const char *description)
     return file;
 }
 
-/* A table through a file, as a bsdf: the model merl with settings such as "interpolation=linear".
- */
-static inline struct brdf_bsdf *lab_test_load(const struct brdf_merl_file *file,
-                                              const char *settings)
+/* A measurement through a file, as a bsdf: of one of the two, by its model and settings such as
+   "interpolation=linear". */
+static inline struct brdf_bsdf *lab_test_through(const struct brdf_merl_file *merl,
+                                                 const struct brdf_rgl_file *rgl,
+                                                 const char *settings)
 {
     char *folder = test_folder_make();
     char path[4200], description[4400];
     struct brdf_bsdf *bsdf = NULL;
     struct brdf_error error = {BRDF_OK, ""};
     assert_non_null(folder);
-    snprintf(path, sizeof path, "%s/table.binary", folder);
-    snprintf(description, sizeof description, "merl:filename=\"%s\",%s", path, settings);
-    brdf_status status = brdf_merl_write(path, file, &error);
+    snprintf(path, sizeof path, "%s/measurement", folder);
+    snprintf(description, sizeof description, "%s:filename=\"%s\",%s", merl ? "merl" : "measured",
+             path, settings);
+    brdf_status status =
+        merl ? brdf_merl_write(path, merl, &error) : brdf_rgl_write(path, rgl, &error);
     status = status ? status : brdf_bsdf_create(description, &bsdf, &error);
     unlink(path);
     rmdir(folder);
@@ -45,6 +48,12 @@ static inline struct brdf_bsdf *lab_test_load(const struct brdf_merl_file *file,
         fail_msg("%s", error.message);
     }
     return bsdf;
+}
+
+static inline struct brdf_bsdf *lab_test_load(const struct brdf_merl_file *file,
+                                              const char *settings)
+{
+    return lab_test_through(file, NULL, settings);
 }
 
 static inline struct brdf_bsdf *lab_test_bsdf(const char *description)

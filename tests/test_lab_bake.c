@@ -38,9 +38,9 @@ static void rough_metals_come_back_to_the_grid(void **state)
         const char *description;
         double rms, mean, albedo;
     } cases[] = {
-        {"roughconductor:material=Au,alpha=0.1", 0.02, 0.005, 0.012},
-        {"roughconductor:material=Au,alpha=0.2", 0.01, 0.0025, 0.006},
-        {"roughconductor:material=Au,alpha=0.4,distribution=beckmann", 0.01, 0.0025, 0.006},
+        {"roughconductor:material=Au,alpha=0.1", 0.01, 0.004, 0.012},
+        {"roughconductor:material=Au,alpha=0.2", 0.004, 0.002, 0.005},
+        {"roughconductor:material=Au,alpha=0.4,distribution=beckmann", 0.002, 0.001, 0.002},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
         struct brdf_bsdf *metal = lab_test_bsdf(cases[i].description);
@@ -52,11 +52,45 @@ static void rough_metals_come_back_to_the_grid(void **state)
         print_message("%s: rms %.4f mean %.5f albedo %.4f; nearest: rms %.4f mean %.5f\n",
                       cases[i].description, d.rms, d.mean, d.albedo, n.rms, n.mean);
         assert_true(d.rms < cases[i].rms && d.mean < cases[i].mean && d.albedo < cases[i].albedo);
-        assert_true(n.mean > 3.0 * d.mean);
-        assert_true(n.rms > 3.0 * d.rms);
+        assert_true(n.mean > 8.0 * d.mean);
+        assert_true(n.rms > 8.0 * d.rms);
         brdf_merl_free(&file);
         brdf_bsdf_destroy(nearest);
         brdf_bsdf_destroy(linear);
+        brdf_bsdf_destroy(metal);
+    }
+}
+
+/* The same into the other format, whose grid follows the lobe; and what only it can hold. */
+static void rough_metals_come_back_from_rgl(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *description;
+        int phis, symmetry;
+        double rms, mean, albedo;
+    } cases[] = {
+        {"diffuse:reflectance=0.2/0.4/0.6", 1, 4, 0.015, 0.008, 0.003},
+        {"roughconductor:material=Au,alpha=0.2", 1, 4, 0.006, 0.006, 0.006},
+        {"roughconductor:material=Au,alpha_u=0.1,alpha_v=0.3", 9, 4, 0.012, 0.01, 0.01},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
+        struct brdf_bsdf *metal = lab_test_bsdf(cases[i].description);
+        struct brdf_rgl_grid grid = {0};
+        struct brdf_rgl_file file;
+        struct brdf_error error = {BRDF_OK, ""};
+        if (lab_bake_rgl(metal, &grid, &file, &error)) {
+            fail_msg("%s", error.message);
+        }
+        assert_int_equal(file.phi_count, cases[i].phis);
+        assert_int_equal(lab_symmetry(metal), cases[i].symmetry);
+        struct brdf_bsdf *baked = lab_test_through(NULL, &file, "scale=1");
+        struct lab_difference d = lab_compare(metal, baked);
+        print_message("%s: rms %.4f mean %.4f albedo %.4f\n", cases[i].description, d.rms, d.mean,
+                      d.albedo);
+        assert_true(d.rms < cases[i].rms && d.mean < cases[i].mean && d.albedo < cases[i].albedo);
+        brdf_rgl_free(&file);
+        brdf_bsdf_destroy(baked);
         brdf_bsdf_destroy(metal);
     }
 }
@@ -165,6 +199,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(diffuse_comes_back_to_a_millionth),
         cmocka_unit_test(rough_metals_come_back_to_the_grid),
+        cmocka_unit_test(rough_metals_come_back_from_rgl),
         cmocka_unit_test(bins_hold_both_orders),
         cmocka_unit_test(what_no_table_holds_is_refused),
         cmocka_unit_test(comparisons_of_matte_with_matte),

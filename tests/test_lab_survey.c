@@ -21,9 +21,10 @@ static size_t bin_at(int theta_h, int theta_d, int phi_d)
 static int doubts(const struct lab_survey *survey, const struct lab_merl_survey *merl,
                   const char *word, int *count)
 {
+    struct lab_findings findings = {survey, merl, NULL};
     char text[300];
     int found = 0;
-    for (*count = 0; lab_survey_doubt(survey, merl, *count, text, sizeof text); ++*count) {
+    for (*count = 0; lab_survey_doubt(&findings, *count, text, sizeof text); ++*count) {
         found |= strstr(text, word) != NULL;
     }
     return found;

@@ -9,7 +9,7 @@
 
 static const double pi = 3.14159265358979323846;
 
-enum { INCIDENCES = 9, POINTS = 1 << 13 };
+enum { INCIDENCES = 9, POINTS = 1 << 14 };
 
 static const double seen = 1e-3; /* 1/sr: relative differences of less than this say nothing */
 
@@ -39,8 +39,8 @@ static void point_add(struct sums *sums, struct lab_difference *worst, brdf_rgb 
     const double gs[3] = {(double)g.r, (double)g.g, (double)g.b};
     for (int c = 0; c < 3; ++c) {
         double difference = fs[c] - gs[c];
-        sums->square += weight * difference * difference;
-        sums->square_of_f += weight * fs[c] * fs[c];
+        sums->square += weight * (double)wi.z * difference * difference;
+        sums->square_of_f += weight * (double)wi.z * fs[c] * fs[c];
         sums->absolute += weight * fabs(difference);
         sums->of_f += weight * fs[c];
         sums->albedo_f[c] += weight * fs[c];

@@ -8,12 +8,13 @@
 
 /*
  * The differences of f from g over pairs of directions above the surface: theta_o from 5 to 85
- * degrees in steps of 10, all the same weight, and all of wi with the weight cos(theta_i). The
- * integrals are sums over a lattice, half of it drawn from f, so that highlights are not missed.
+ * degrees in steps of 10, all the same weight, and all of wi; cos is that of theta_i. The integrals
+ * are sums over a lattice, half of it drawn from f, so that highlights are not missed.
  */
 struct lab_difference {
-    double rms;       /* sqrt(integral of (f - g)^2 / integral of f^2), all channels in one */
-    double mean;      /* integral of |f - g| / integral of f: less of it is the peak's */
+    double rms;       /* sqrt(integral of ((f - g) cos)^2 / integral of (f cos)^2), all channels in
+                         one: Ngan, Durand, Matusik 2005, section 3.2, relative to f */
+    double mean;      /* integral of |f - g| cos / integral of f cos: less of it is the peak's */
     double worst;     /* the largest |f - g| / f, where f is above 0.001 1/sr */
     brdf_vec3 wo, wi; /* ... and where that is */
     double albedo;    /* the largest difference of albedos, of any theta_o and channel */

@@ -39,8 +39,8 @@ static void albedos_find(const struct brdf_bsdf *bsdf, struct lab_survey *survey
     memcpy(survey->albedo_diffuse, all.reflection, sizeof survey->albedo_diffuse);
 }
 
-/* Over pairs of directions with both cosines as weights, half of them drawn from the material. */
-static double reciprocity_find(const struct brdf_bsdf *bsdf)
+/* Half of the pairs are drawn from the material, so that highlights are not missed. */
+double lab_reciprocity(const struct brdf_bsdf *bsdf)
 {
     struct lab_lattice lattice = lab_lattice_make(5, 3);
     double difference = 0.0, sum = 0.0;
@@ -74,5 +74,5 @@ void lab_survey_make(const struct brdf_bsdf *bsdf, struct lab_survey *survey)
 {
     memset(survey, 0, sizeof *survey);
     albedos_find(bsdf, survey);
-    survey->reciprocity = reciprocity_find(bsdf);
+    survey->reciprocity = lab_reciprocity(bsdf);
 }

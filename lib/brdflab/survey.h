@@ -8,6 +8,7 @@
 
 #include <brdf/material.h>
 #include <brdf/merl.h>
+#include <brdf/rgl.h>
 
 enum { LAB_SURVEY_ANGLES = 9 };
 
@@ -18,13 +19,17 @@ extern const double lab_survey_angles[LAB_SURVEY_ANGLES];
 struct lab_survey {
     double albedo[LAB_SURVEY_ANGLES][3];
     double albedo_diffuse[3]; /* under light from everywhere: the average over the cosine */
-    double reciprocity;       /* integral of |f(wo, wi) - f(wi, wo)| over that of f, all pairs */
+    double reciprocity;       /* lab_reciprocity */
     double energy;            /* the largest albedo found */
     double energy_angle;      /* ... and at which angle [degrees] */
     double energy_from;       /* the least angle found with an albedo above 1; 90: none */
 };
 
 void lab_survey_make(const struct brdf_bsdf *bsdf, struct lab_survey *survey);
+
+/* How far from reciprocal: the integral of |f(wo, wi) - f(wi, wo)| over that of f, all pairs of
+   directions above the surface with both cosines as weights. */
+double lab_reciprocity(const struct brdf_bsdf *bsdf);
 
 /* The place of a bin: angles of its centre [degrees]. */
 struct lab_place {
@@ -46,11 +51,31 @@ struct lab_merl_survey {
 
 void lab_survey_merl(const struct brdf_merl_file *file, struct lab_merl_survey *survey);
 
+/* What an RGL file says of itself. */
+struct lab_rgl_survey {
+    int phis, thetas, size; /* azimuths and polar angles of wo; nodes along a view's square */
+    int channels, spectral; /* 3, or how many wavelengths; whether they are wavelengths */
+    double theta_most;      /* the last polar angle [degrees] */
+    double negative;        /* the share of values below 0 */
+    double least, most;     /* of f, RGB [1/sr], at directions drawn from each view */
+};
+
+/* `bsdf` is the model measured, of the same file. */
+void lab_survey_rgl(const struct brdf_rgl_file *file, const struct brdf_bsdf *bsdf,
+                    struct lab_rgl_survey *survey);
+
+/* What is known of a material; `merl` and `rgl` are NULL if it is not of that format. */
+struct lab_findings {
+    const struct lab_survey *all;
+    const struct lab_merl_survey *merl;
+    const struct lab_rgl_survey *rgl;
+};
+
 /*
- * A doubt in a sentence, number 0, 1, ... of those there are; NULL after the last. `merl` may be
- * NULL. The text is in `text` of `size` bytes.
+ * A doubt in a sentence, number 0, 1, ... of those there are; NULL after the last.
+ * The text is in `text` of `size` bytes.
  */
-const char *lab_survey_doubt(const struct lab_survey *survey, const struct lab_merl_survey *merl,
-                             int number, char *text, size_t size);
+const char *lab_survey_doubt(const struct lab_findings *findings, int number, char *text,
+                             size_t size);
 
 #endif

@@ -4,34 +4,30 @@
 #include <stdio.h>
 
 /* Each writes a sentence and returns 1 if there is something to doubt. */
-typedef int doubt(const struct lab_survey *survey, const struct lab_merl_survey *merl, char *text,
-                  size_t size);
+typedef int doubt(const struct lab_findings *findings, char *text, size_t size);
 
-static int energy_above_one(const struct lab_survey *s, const struct lab_merl_survey *m, char *text,
-                            size_t size)
+static int energy_above_one(const struct lab_findings *findings, char *text, size_t size)
 {
-    (void)m;
+    const struct lab_survey *s = findings->all;
     snprintf(text, size,
              "reflects more than it receives from %g degrees on: an albedo of %.3f at %g degrees",
              s->energy_from, s->energy, s->energy_angle);
     return s->energy_from < 90.0;
 }
 
-static int not_reciprocal(const struct lab_survey *s, const struct lab_merl_survey *m, char *text,
-                          size_t size)
+static int not_reciprocal(const struct lab_findings *findings, char *text, size_t size)
 {
-    (void)m;
+    const struct lab_survey *s = findings->all;
     snprintf(text, size,
              "exchanging viewer and light changes f by %.1f %% on average: it was measured in "
              "one order, and the other is not what the sample does",
              100.0 * s->reciprocity);
-    return s->reciprocity > 0.05;
+    return s->reciprocity > 0.1;
 }
 
-static int not_measured(const struct lab_survey *s, const struct lab_merl_survey *m, char *text,
-                        size_t size)
+static int not_measured(const struct lab_findings *findings, char *text, size_t size)
 {
-    (void)s;
+    const struct lab_merl_survey *m = findings->merl;
     if (!m || m->above_invalid == 0) {
         return 0;
     }
@@ -43,10 +39,9 @@ static int not_measured(const struct lab_survey *s, const struct lab_merl_survey
     return 1;
 }
 
-static int black_bins(const struct lab_survey *s, const struct lab_merl_survey *m, char *text,
-                      size_t size)
+static int black_bins(const struct lab_findings *findings, char *text, size_t size)
 {
-    (void)s;
+    const struct lab_merl_survey *m = findings->merl;
     if (!m || m->zero == 0) {
         return 0;
     }
@@ -57,10 +52,9 @@ static int black_bins(const struct lab_survey *s, const struct lab_merl_survey *
     return 1;
 }
 
-static int peak_at_grazing(const struct lab_survey *s, const struct lab_merl_survey *m, char *text,
-                           size_t size)
+static int peak_at_grazing(const struct lab_findings *findings, char *text, size_t size)
 {
-    (void)s;
+    const struct lab_merl_survey *m = findings->merl;
     if (!m || m->most_at.theta_h < 10.0) {
         return 0;
     }
@@ -71,10 +65,9 @@ static int peak_at_grazing(const struct lab_survey *s, const struct lab_merl_sur
     return 1;
 }
 
-static int noisy(const struct lab_survey *s, const struct lab_merl_survey *m, char *text,
-                 size_t size)
+static int noisy(const struct lab_findings *findings, char *text, size_t size)
 {
-    (void)s;
+    const struct lab_merl_survey *m = findings->merl;
     if (!m || (m->noise < 0.05 && m->noise_grazing < 0.05)) {
         return 0;
     }
@@ -85,13 +78,37 @@ static int noisy(const struct lab_survey *s, const struct lab_merl_survey *m, ch
     return 1;
 }
 
-const char *lab_survey_doubt(const struct lab_survey *survey, const struct lab_merl_survey *merl,
-                             int number, char *text, size_t size)
+static int out_of_gamut(const struct lab_findings *findings, char *text, size_t size)
 {
-    static doubt *const doubts[] = {energy_above_one, not_reciprocal,  not_measured,
-                                    black_bins,       peak_at_grazing, noisy};
+    const struct lab_rgl_survey *r = findings->rgl;
+    if (!r || r->negative <= 0.0) {
+        return 0;
+    }
+    snprintf(
+        text, size,
+        "%.2f %% of the values are below 0, colours that Rec. 709 does not have: they count as 0",
+        100.0 * r->negative);
+    return 1;
+}
+
+static int not_measured_at_grazing(const struct lab_findings *findings, char *text, size_t size)
+{
+    const struct lab_rgl_survey *r = findings->rgl;
+    if (!r || r->theta_most > 89.0) {
+        return 0;
+    }
+    snprintf(text, size, "measured up to %.1f degrees: beyond, that view stands in", r->theta_most);
+    return 1;
+}
+
+const char *lab_survey_doubt(const struct lab_findings *findings, int number, char *text,
+                             size_t size)
+{
+    static doubt *const doubts[] = {energy_above_one, not_reciprocal,         not_measured,
+                                    black_bins,       peak_at_grazing,        noisy,
+                                    out_of_gamut,     not_measured_at_grazing};
     for (size_t i = 0; i < sizeof doubts / sizeof doubts[0]; ++i) {
-        if (doubts[i](survey, merl, text, size) && number-- == 0) {
+        if (doubts[i](findings, text, size) && number-- == 0) {
             return text;
         }
     }
