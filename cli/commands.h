@@ -18,6 +18,7 @@ int command_eval(int argc, char **argv);
 int command_plot(int argc, char **argv);
 int command_sample(int argc, char **argv);
 int command_albedo(int argc, char **argv);
+int command_navigate(int argc, char **argv);
 int command_fit(int argc, char **argv);
 int command_test(int argc, char **argv);
 int command_check(int argc, char **argv);

@@ -28,6 +28,7 @@ static const struct command {
     {"convert", command_convert, "write a material as a measured file"},
     {"edit", command_edit, "change the gloss or colour of a measured material"},
     {"mix", command_mix, "mix measured materials into a new one"},
+    {"navigate", command_navigate, "map measured materials, and make new ones between them"},
     {"fit", command_fit, "find a model's parameters that come nearest to a material"},
     {"test", command_test, "statistical tests of a material, or of every model"},
     {"check", command_check, "compare C with OpenCL, bit by bit"},

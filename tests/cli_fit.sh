@@ -23,7 +23,7 @@ refused 2 'needs --model' fit diffuse
 refused 1 'did you mean .ward.' fit diffuse --model wrad
 refused 1 'nothing to search' fit diffuse --model diffuse:reflectance=0.5
 refused 1 'take another model' fit diffuse --model conductor
-refused 1 "did you mean 'alpha_u'" fit diffuse --model ward --free alpa_u
+refused 1 'did you mean .alpha_u.' fit diffuse --model ward --free alpa_u
 refused 1 '/nonexistent/gold.binary' fit /nonexistent/gold.binary --model ward
 
 finish

@@ -16,6 +16,7 @@
 #include "model/ashikhminshirley.h"
 #include "model/torrancesparrow.h"
 #include "model/cooktorrance.h"
+#include "model/abc.h"
 #include "model/roughconductor.h"
 #include "model/dielectric.h"
 #include "model/conductor.h"

@@ -150,9 +150,9 @@ static brdf_status check_free(const struct brdf_model_info *model, const char *n
         if (!found || (found->kind != BRDF_KIND_REAL && found->kind != BRDF_KIND_COLOR)) {
             const char *nearest = brdf_parameter_nearest(model, name);
             return brdf_fail(error, BRDF_UNKNOWN_NAME,
-                             "%s has no number or colour '%s' to free%s%s%s", model->name, name,
-                             nearest ? " (did you mean '" : "", nearest ? nearest : "",
-                             nearest ? "'?)" : "");
+                             "%s has no number or colour \"%s\" to free%s%s%s", model->name, name,
+                             nearest ? "; did you mean \"" : "", nearest ? nearest : "",
+                             nearest ? "\"?" : "");
         }
         at += length + (at[length] == ',');
     }
