@@ -41,12 +41,12 @@ static inline brdf_vec3 brdf_fiber_inside(brdf_vec3 w, brdf_real eta)
     return brdf_vec3_make(w.x / eta, w.y / eta, sqrtf(brdf_fiber_critical2(eta) + z * z));
 }
 
-/* And back; z = 0 where it does not get out. */
+/* And back; z = 0 where it does not get out. From z, as x and y say little of it at grazing. */
 static inline brdf_vec3 brdf_fiber_outside(brdf_vec3 w, brdf_real eta)
 {
-    brdf_real x = w.x * eta;
-    brdf_real y = w.y * eta;
-    return brdf_normalize(brdf_vec3_make(x, y, sqrtf(brdf_max(1.0f - (x * x + y * y), 0.0f))));
+    brdf_real critical = sqrtf(brdf_fiber_critical2(eta));
+    brdf_real z2 = (w.z - critical) * (w.z + critical);
+    return brdf_normalize(brdf_vec3_make(w.x * eta, w.y * eta, eta * sqrtf(brdf_max(z2, 0.0f))));
 }
 
 /* Inclination psi of a direction to the plane across the fibre. */

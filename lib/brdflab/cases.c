@@ -30,6 +30,10 @@ static const char *const more_cases[] = {
     "roughconductor:distribution=beckmann,alpha=0.5",
     "roughconductor:distribution=beckmann,alpha=0.01",
     "roughconductor:distribution=beckmann,alpha_u=0.6,alpha_v=0.05",
+    "principled:metallic=0.3,roughness=0.2,anisotropic=0.8,clearcoat=1,sheen=1,flatness=0.5",
+    "principled:spec_trans=0.7,roughness=0.4,eta=1.5,clearcoat=0.5,clearcoat_gloss=0.5,coat=burley",
+    "wood:fiber_axis=0.9/0.4/0.7,beta=0.05,fiber_reflectance=1,diffuse_reflectance=0.1",
+    "wood:eta=1,fiber_reflectance=1,diffuse_reflectance=0",
     "dielectric:int_ior=1.33,ext_ior=1",
     "dielectric:int_ior=1,ext_ior=2.4",
 };
