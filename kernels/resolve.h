@@ -12,12 +12,29 @@
 #ifndef PT_RESOLVE_H
 #define PT_RESOLVE_H
 
-#include "path.h"
+#include "texture.h"
+#include "meeting.h"
 
 static inline BRDF_GLOBAL const struct pt_fork *pt_fork_at(struct pt_world w, int number)
 {
     BRDF_GLOBAL const void *forks = w.scene + w.settings->forks;
     return (BRDF_GLOBAL const struct pt_fork *)forks + number;
+}
+
+/* The probability of the second way, in each lane. */
+static inline brdf_real pt_fork_weight(struct pt_world w, BRDF_GLOBAL const struct pt_fork *fork,
+                                       struct pt_meeting m)
+{
+    if (PT_HAS(w.settings, PT_HAS_PLACED_FORKS)) {
+        if (PT_HAS(w.settings, PT_HAS_TEXTURES) && fork->kind == PT_FORK_TEXTURE) {
+            brdf_rgb value = pt_texture_eval(w, fork->texture, m.at);
+            return brdf_clamp(brdf_rgb_luminance(value), 0.0f, 1.0f);
+        }
+        if (fork->kind == PT_FORK_SIDE) {
+            return brdf_pick(brdf_dot(m.at.frame.n, m.ray.d) > 0.0f, 1.0f, 0.0f);
+        }
+    }
+    return fork->weight;
 }
 
 /* The greatest number below 1 that random numbers reach. */
@@ -40,6 +57,7 @@ static inline void pt_resolve(struct pt_world w, struct pt_pass pass, int packet
     }
     brdf_int path =
         pt_queue_paths(w, settings->active[active], packet, w.queues[PT_ACTIVE + active]);
+    struct pt_meeting m = pt_meet(w, path, (path < settings->pool) & (key >= first_fork));
     brdf_real u = pt_path_random(w, pass, path, pt_bounce_set(depth)).d;
     for (int i = settings->fork_count - 1; i >= 0; --i) {
         brdf_mask here = key == first_fork + i;
@@ -47,7 +65,7 @@ static inline void pt_resolve(struct pt_world w, struct pt_pass pass, int packet
             continue;
         }
         BRDF_GLOBAL const struct pt_fork *fork = pt_fork_at(w, i);
-        brdf_real weight = fork->weight;
+        brdf_real weight = pt_fork_weight(w, fork, m);
         brdf_mask second = u < weight;
         brdf_real from = brdf_pick(second, 0.0f, weight);
         brdf_real share = brdf_pick(second, weight, 1.0f - weight);

@@ -65,9 +65,10 @@ struct pt_surface {
     struct brdf_material material;
     float radiance[3]; /* 0 where it does not emit */
     int emits;
-    int variant;  /* the specialised shading kernel: equal model, flags, choices and bindings */
-    int bindings; /* texture_record.h: their first word in the scene array, if it has any */
-    int padding[2];
+    int variant;      /* the specialised shading kernel: equal model, flags, choices and bindings */
+    int bindings;     /* texture_record.h: their first word in the scene array, if it has any */
+    int tilt_texture; /* of a normal or bump map, where the variant has one */
+    float tilt_scale; /* of a bump map: height of 1 in it [world units] */
 };
 
 /*
@@ -76,10 +77,27 @@ struct pt_surface {
  * those it leads to.
  */
 struct pt_fork {
-    float weight; /* probability of the second */
-    int first;    /* keys */
+    int first; /* keys */
     int second;
-    int padding;
+    int kind;     /* enum pt_fork_kind */
+    int texture;  /* PT_FORK_TEXTURE: its number */
+    float weight; /* PT_FORK_SHARE: probability of the second */
+    int padding[3];
+};
+
+enum pt_fork_kind {
+    PT_FORK_SHARE,   /* the second is taken with a probability */
+    PT_FORK_TEXTURE, /* with one that a texture gives */
+    PT_FORK_SIDE     /* the second is the back */
+};
+
+/* How a variant tilts its shading frame (tilt.h): not at all, or the sum of these. */
+enum pt_tilt_how {
+    PT_TILT_NORMAL = 1,   /* by a normal map */
+    PT_TILT_BUMP = 2,     /* by a bump map */
+    PT_TILT_FACE = 4,     /* normals that face away are turned to the viewer */
+    PT_TILT_SHADOW = 8,   /* facets shadow each other */
+    PT_TILT_TWOSIDED = 16 /* the back is the mirror image of the front, before it is tilted */
 };
 
 /* Features: what a scene has, as bits; kernels are compiled for exactly these. */
@@ -95,7 +113,8 @@ struct pt_fork {
 #define PT_HAS_BITMAPS 1024      /* textures of that kind */
 #define PT_HAS_FLOAT_TEXELS 2048 /* bitmaps that are not of 8 bits */
 #define PT_HAS_WOODGRAINS 16384
-#define PT_HAS_FORKS 4096 /* surfaces that are put together from others */
+#define PT_HAS_FORKS 4096        /* surfaces that are put together from others */
+#define PT_HAS_PLACED_FORKS 8192 /* forks that ask where on the surface a path is */
 
 /* Reconstruction filters. */
 #define PT_FILTER_BOX 0

@@ -13,6 +13,7 @@
 #include "brdf/surface.h"
 #include "light.h"
 #include "texture.h"
+#include "tilt.h"
 
 /* What the kernels of a variant have in common; constants there. */
 struct pt_variant {
@@ -22,6 +23,7 @@ struct pt_variant {
     int number;
     unsigned textured; /* texture.h: bit i is set where a texture sets word i of the material */
     unsigned colors;   /* and bit i here where it sets the two words behind, too */
+    unsigned tilt;     /* PT_TILT_... */
 };
 
 /* Append the paths of the lanes in the mask to the queue of the next bounce. */
@@ -102,16 +104,14 @@ static inline void pt_ask_shadow(struct pt_world w, brdf_int path, brdf_mask ask
    estimation, which might have found it as well. */
 static inline void pt_shade_emission(struct pt_world w,
                                      BRDF_GLOBAL const struct pt_surface *surface, brdf_int path,
-                                     struct pt_primitive primitive, struct pt_interaction at,
-                                     struct pt_ray ray, struct pt_quad hit, brdf_rgb throughput,
-                                     brdf_real pdf)
+                                     struct pt_meeting m)
 {
     brdf_rgb emitted =
         brdf_rgb_make(surface->radiance[0], surface->radiance[1], surface->radiance[2]);
-    brdf_real light_pdf = pt_light_density(w.settings, primitive, ray, hit.a);
-    brdf_real weight = brdf_pick(pdf < 0.0f, 1.0f, pt_mis(pdf, light_pdf));
-    weight = brdf_pick(brdf_dot(at.ng, ray.d) < 0.0f, weight, 0.0f);
-    pt_add_radiance(w, path, brdf_rgb_scale(brdf_rgb_mul(throughput, emitted), weight));
+    brdf_real light_pdf = pt_light_density(w.settings, m.primitive, m.ray, m.hit.a);
+    brdf_real weight = brdf_pick(m.pdf < 0.0f, 1.0f, pt_mis(m.pdf, light_pdf));
+    weight = brdf_pick(brdf_dot(m.at.ng, m.ray.d) < 0.0f, weight, 0.0f);
+    pt_add_radiance(w, path, brdf_rgb_scale(brdf_rgb_mul(m.throughput, emitted), weight));
 }
 
 /* Paths that met nothing gain what comes from the environment, and end. */
@@ -143,64 +143,64 @@ static inline void pt_shade(struct pt_world w, struct pt_pass pass, struct pt_va
     BRDF_GLOBAL const struct pt_surface *surface =
         pt_surface_at(w, w.queues[settings->packet_surface + packet]);
     brdf_int path = pt_load_ints(w.queues + settings->packet_paths + packet * BRDF_LANES);
-    brdf_int record = path * PT_PATH_WORDS;
-    struct pt_quad origin = pt_load_quad(w.paths + PT_PATH_ORIGIN, record);
-    struct pt_quad direction = pt_load_quad(w.paths + PT_PATH_DIRECTION, record);
-    struct pt_quad hit = pt_load_quad(w.paths + PT_PATH_HIT_T, record);
-    brdf_rgb throughput = pt_quad_rgb(pt_load_quad(w.paths + PT_PATH_THROUGHPUT, record));
     brdf_mask used = path < settings->pool;
-
-    struct pt_ray ray;
-    ray.o = pt_quad_vec3(origin);
-    ray.d = pt_quad_vec3(direction);
-    struct pt_primitive primitive = pt_load_primitive(w, brdf_pick_int(used, brdf_bits(hit.d), 0));
-    struct pt_interaction at = pt_interact(w, primitive, ray, hit);
+    struct pt_meeting m = pt_meet(w, path, used);
     if (surface->emits) {
-        pt_shade_emission(w, surface, path, primitive, at, ray, hit, throughput, origin.d);
+        pt_shade_emission(w, surface, path, m);
     }
     if (depth + 1 >= settings->max_depth) {
         return;
     }
 
+    struct pt_tilt tilt =
+        variant.tilt ? pt_tilt_at(w, variant.tilt, surface, m) : pt_tilt_none(m.at);
+    m.at.frame = tilt.frame;
     brdf_parameters p =
         brdf_parameters_load(variant.model, variant.choices, surface->material.word);
     if (variant.textured) {
         p = pt_textured_parameters(w, variant.model, variant.textured, variant.colors,
                                    surface->bindings,
-                                   pt_seen_side(variant.flags, at, brdf_negate(ray.d)), p);
+                                   pt_seen_side(variant.flags, m.at, brdf_negate(m.ray.d)), p);
     }
     BRDF_GLOBAL const float *table = w.tables + surface->material.table;
-    brdf_vec3 wo = brdf_to_local(at.frame, brdf_negate(ray.d));
+    brdf_vec3 wo = brdf_to_local(m.at.frame, brdf_negate(m.ray.d));
     int set = pt_bounce_set(depth);
     struct pt_random choose = pt_path_random(w, pass, path, set);
     struct pt_random place = pt_path_random(w, pass, path, set + 1);
 
     int lights = PT_HAS(settings, PT_HAS_LIGHTS | PT_HAS_CONSTANT | PT_HAS_MAP) != 0;
     if (lights & !(variant.flags & BRDF_DELTA)) {
-        struct pt_light_sample light = pt_sample_light(w, at.p, choose.a, place.a, place.b);
-        brdf_vec3 wi = brdf_to_local(at.frame, light.wi);
+        struct pt_light_sample light = pt_sample_light(w, m.at.p, choose.a, place.a, place.b);
+        brdf_vec3 wi = brdf_to_local(m.at.frame, light.wi);
         brdf_rgb f = brdf_surface_eval(variant.model, variant.flags, p, wo, wi, table);
+        if (variant.tilt) {
+            f = brdf_rgb_scale(f, pt_tilt_factor(tilt, light.wi, wi));
+        }
         brdf_real pdf = brdf_surface_pdf(variant.model, variant.flags, p, wo, wi, table);
         brdf_mask possible = used & (light.pdf > 0.0f);
         brdf_real scale =
             fabsf(wi.z) * pt_mis(light.pdf, pdf) / brdf_pick(possible, light.pdf, 1.0f);
         brdf_rgb radiance =
-            brdf_rgb_scale(brdf_rgb_mul(brdf_rgb_mul(throughput, f), light.radiance), scale);
+            brdf_rgb_scale(brdf_rgb_mul(brdf_rgb_mul(m.throughput, f), light.radiance), scale);
         pt_ask_shadow(w, path, possible & (brdf_rgb_largest(radiance) > 0.0f),
-                      pt_shadow_ray_make(at, light), radiance);
+                      pt_shadow_ray_make(m.at, light), radiance);
     }
 
     struct brdf_sample s = brdf_surface_sample(variant.model, variant.flags, p, wo,
                                                brdf_vec3_make(place.c, place.d, choose.b), table);
-    throughput = brdf_rgb_mul(throughput, s.weight);
-    brdf_real eta = direction.d * s.eta;
+    brdf_vec3 next = brdf_normalize(brdf_to_world(m.at.frame, s.wi));
+    if (variant.tilt) {
+        s.weight = brdf_rgb_scale(s.weight, pt_tilt_factor(tilt, next, s.wi));
+    }
+    brdf_rgb throughput = brdf_rgb_mul(m.throughput, s.weight);
+    brdf_real eta = m.eta * s.eta;
     if (depth + 1 >= settings->rr_depth) {
         throughput = brdf_rgb_scale(throughput, pt_roulette(throughput, eta, choose.c));
     }
-    brdf_vec3 next = brdf_normalize(brdf_to_world(at.frame, s.wi));
     brdf_real pdf = brdf_pick(s.delta, -1.0f, s.pdf);
     brdf_mask alive = used & (s.pdf > 0.0f) & (brdf_rgb_largest(throughput) > 0.0f);
-    pt_store_quad(w.paths + PT_PATH_ORIGIN, record, pt_quad_of_vec3(pt_leave(at, next), pdf));
+    brdf_int record = path * PT_PATH_WORDS;
+    pt_store_quad(w.paths + PT_PATH_ORIGIN, record, pt_quad_of_vec3(pt_leave(m.at, next), pdf));
     pt_store_quad(w.paths + PT_PATH_DIRECTION, record, pt_quad_of_vec3(next, eta));
     pt_store_quad(w.paths + PT_PATH_THROUGHPUT, record, pt_quad_of_rgb(throughput, 0.0f));
     pt_continue(w, path, alive, depth);

@@ -150,28 +150,6 @@ static void parts_are_shared(void **state)
     brdfcl_scene_destroy(scene);
 }
 
-static void same_bits_at_all_lanes(void **state)
-{
-    static const int lane_counts[] = {1, 4, 8, 16};
-    const struct view view = {NULL, NULL, 0, 40, 6, -1, 3, "multijitter", "gaussian"};
-    (void)state;
-    if (brdfcl_device_count() == 0) {
-        print_message("    skipped, no OpenCL device\n");
-        skip();
-    }
-    struct brdfcl_scene *scene = render_scene_load(
-        &view, SKY FLOOR BALL(BLEND("0.3", MASK("0.6", GRAY("0.2")), GRAY("0.7")))
-                   CARD(MASK("0.5", TWOSIDED(BLEND("0.5", GRAY("0.2"), GRAY("0.9"))))));
-    unsigned long long expected = render_hash(&in_c, scene);
-    for (size_t i = 0; i < sizeof lane_counts / sizeof lane_counts[0]; ++i) {
-        const struct renderer who = {lane_counts[i], 0, 0};
-        if (render_hash(&who, scene) != expected) {
-            fail_msg("%d lanes: another picture than C's", lane_counts[i]);
-        }
-    }
-    brdfcl_scene_destroy(scene);
-}
-
 #define HEAD "<scene version='3.0.0'>\n<integrator type='path'/><sensor type='perspective'/>\n"
 
 static void mistakes(void **state)
@@ -183,7 +161,7 @@ static void mistakes(void **state)
     } list[] = {
         {BLEND("1.5", METAL, METAL), BRDF_OUT_OF_RANGE, ":3:"},
         {MASK("-0.1", METAL), BRDF_OUT_OF_RANGE, ":3:"},
-        {BLEND("0.5", METAL, ""), BRDF_BAD_FILE, "two <bsdf>s, not one"},
+        {BLEND("0.5", METAL, ""), BRDF_BAD_FILE, "two <bsdf>, not one"},
         {BLEND("0.5", METAL METAL, METAL), BRDF_BAD_FILE, "one more"},
         {MASK("0.5", ""), BRDF_BAD_FILE, "one <bsdf>, not none"},
         {"<bsdf type='blendbsdf'>" METAL METAL "</bsdf>", BRDF_BAD_FILE, "needs a weight"},
@@ -235,13 +213,9 @@ static void doubling_is_refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(ends_are_exact),
-        cmocka_unit_test(known_answers),
-        cmocka_unit_test(light_through_a_mask),
-        cmocka_unit_test(glowing_mask),
-        cmocka_unit_test(parts_are_shared),
-        cmocka_unit_test(same_bits_at_all_lanes),
-        cmocka_unit_test(mistakes),
+        cmocka_unit_test(ends_are_exact),       cmocka_unit_test(known_answers),
+        cmocka_unit_test(light_through_a_mask), cmocka_unit_test(glowing_mask),
+        cmocka_unit_test(parts_are_shared),     cmocka_unit_test(mistakes),
         cmocka_unit_test(doubling_is_refused),
     };
     return cmocka_run_group_tests(tests, scene_files_open, scene_files_close);

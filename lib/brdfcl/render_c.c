@@ -43,8 +43,8 @@ static void shade_all(struct pt_world w, const struct world *world, struct pt_pa
     int missed = settings->variant_count - 1;
     for (int v = 0; v < settings->variant_count; ++v) {
         const struct world_variant *from = &world->variants[v];
-        struct pt_variant variant = {from->model, from->flags,    from->choices,
-                                     v,           from->textured, from->colors};
+        struct pt_variant variant = {from->model,    from->flags,  from->choices, v,
+                                     from->textured, from->colors, from->tilt};
         int first = w.queues[settings->variant_first + v];
         for (int i = 0; i < w.queues[PT_VARIANTS + v]; ++i) {
             if (v == missed) {

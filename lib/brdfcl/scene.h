@@ -22,10 +22,18 @@ struct scene_environment {
     float to_world[9];         /* rotation, row-major: map -> world */
 };
 
+/* A normal map or a bump map. */
+struct scene_tilt {
+    unsigned how; /* enum pt_tilt_how; 0: none */
+    int texture;
+    float scale;
+};
+
 struct scene_surface {
     struct brdf_bsdf *bsdf; /* not owned: one of brdfcl_scene.bsdfs; NULL: light goes through it */
     float radiance[3];
     int emits;
+    struct scene_tilt tilt;
 };
 
 /* A texture; of a bitmap also its texels, owned. */
@@ -52,7 +60,9 @@ struct scene_binding {
 struct scene_fork {
     int first;
     int second;
-    float weight; /* probability of the second */
+    int kind;     /* enum pt_fork_kind */
+    int texture;  /* PT_FORK_TEXTURE: its number */
+    float weight; /* PT_FORK_SHARE: probability of the second */
 };
 
 /* A growing array of 16-word records. */

@@ -19,25 +19,24 @@ static void binding_insert(struct scene_bindings *bindings, const struct scene_b
 
 /* Numbers that the file gives are refused, as they are without a texture. Those of a picture are
    clamped, with a remark: it may well be white where a reflectance ends at 0.99. */
-static brdf_status binding_check_range(const struct scene_loader *loader,
-                                       const struct xml_node *child,
-                                       const struct scene_binding *binding, const char *name)
+brdf_status scene_texture_check(const struct scene_loader *loader, const struct xml_node *node,
+                                const struct pt_binding *binding, const char *name)
 {
-    const struct scene_texture *texture = &loader->scene->textures[binding->record.texture];
-    double low = (double)binding->record.low;
-    double high = (double)binding->record.high;
+    const struct scene_texture *texture = &loader->scene->textures[binding->texture];
+    double low = (double)binding->low;
+    double high = (double)binding->high;
     float least = 0.0f;
     float most = 0.0f;
-    scene_texture_range(texture, binding->record.output, &least, &most);
+    scene_texture_range(texture, binding->output, &least, &most);
     if ((double)least >= low && (double)most <= high) {
         return BRDF_OK;
     }
     if (texture->record.kind == PT_TEXTURE_BITMAP) {
-        return scene_note(loader, child,
+        return scene_note(loader, node,
                           "%s: the texture's values, %g to %g, are clamped to its range, %g to %g",
                           name, (double)least, (double)most, low, high);
     }
-    return scene_fail(loader, child, BRDF_OUT_OF_RANGE,
+    return scene_fail(loader, node, BRDF_OUT_OF_RANGE,
                       "%s: the texture's values are %g to %g: expected %g to %g", name,
                       (double)least, (double)most, low, high);
 }
@@ -96,7 +95,7 @@ static brdf_status binding_add(struct scene_loader *loader, struct xml_node *chi
         binding.record.low = target->low;
         binding.record.high = target->high;
         if (item == 0) { /* those of an alias have one range */
-            status = binding_check_range(loader, child, &binding, parameter->name);
+            status = scene_texture_check(loader, child, &binding.record, parameter->name);
         }
         binding_insert(bindings, &binding);
         target = binding_target(model, parameter, item + 1);

@@ -24,8 +24,8 @@ struct bsdf_draft {
 static brdf_status bsdf_fail_model(const struct scene_loader *loader, const struct xml_node *node,
                                    const char *type)
 {
-    const char *known[BSDF_MODELS_MAX] = {"twosided", "blendbsdf", "mask"};
-    size_t count = 3;
+    const char *known[BSDF_MODELS_MAX] = {"twosided", "blendbsdf", "mask", "normalmap", "bumpmap"};
+    size_t count = 5;
     for (int tag = 0; tag < brdf_model_count() && count < BSDF_MODELS_MAX; ++tag) {
         known[count++] = brdf_model_info(tag)->name;
     }

@@ -201,6 +201,11 @@ brdf_status scene_binding_read(struct scene_loader *loader, struct xml_node *chi
                                const struct brdf_model_info *model, struct scene_bindings *bindings,
                                struct brdf_setting *stand_in);
 
+/* What a texture sets has a range: a picture's values are clamped to it, with a remark, and numbers
+   of the file refused. */
+brdf_status scene_texture_check(const struct scene_loader *loader, const struct xml_node *node,
+                                const struct pt_binding *binding, const char *name);
+
 /* Tie them to the bsdf that was made, which must not be shared with one that has others. */
 brdf_status scene_bindings_keep(struct scene_loader *loader, const struct xml_node *node,
                                 const struct brdf_bsdf *bsdf,
@@ -220,9 +225,20 @@ size_t scene_mitsuba_assume(const char *model, struct brdf_setting *settings, si
 brdf_status scene_bsdf_default(struct scene_loader *loader, const struct xml_node *node, int emits,
                                struct brdf_bsdf **bsdf);
 
-/* The surface with this bsdf (NULL: light goes through) and radiance: equal ones are one. */
+/* The surface with this bsdf (NULL: light goes through), tilt (NULL: none) and radiance: equal ones
+   are one. */
 brdf_status scene_surface_add(struct scene_loader *loader, const struct xml_node *node,
-                              struct brdf_bsdf *bsdf, const double radiance[3], int *surface);
+                              struct brdf_bsdf *bsdf, const struct scene_tilt *tilt,
+                              const double radiance[3], int *surface);
+
+/* What a normalmap or a bumpmap says besides the bsdf inside. */
+brdf_status scene_tilt_read(struct scene_loader *loader, struct xml_node *node,
+                            struct scene_tilt *tilt);
+
+/* The only texture among the children of an element, which must be called `name` (NULL: anything);
+ *given is its element, or NULL where there is none. */
+brdf_status scene_texture_child(struct scene_loader *loader, const struct xml_node *node,
+                                const char *name, const struct xml_node **given, int *number);
 
 /* The radiance of an area emitter. */
 brdf_status scene_emitter_area(const struct scene_loader *loader, struct xml_node *node,

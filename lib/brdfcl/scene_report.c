@@ -84,6 +84,12 @@ brdf_status scene_note(const struct scene_loader *loader, const struct xml_node 
     scene_place(loader, node, text, sizeof text, format, arguments);
     va_end(arguments);
 
+    /* A bsdf that many shapes have is composed for each of them. */
+    for (size_t i = 0; i < scene->note_count; ++i) {
+        if (strcmp(scene->notes[i], text) == 0) {
+            return BRDF_OK;
+        }
+    }
     notes = realloc(scene->notes, (scene->note_count + 1) * sizeof *notes);
     if (!notes) {
         return scene_fail_memory(loader, node);

@@ -162,7 +162,7 @@ static brdf_status shape_surface(struct scene_loader *loader, struct xml_node *n
     if (!status) {
         status = scene_bsdf_default(loader, node, emitter_node != NULL, &bsdf);
     }
-    return status ? status : scene_surface_add(loader, node, bsdf, radiance, surface);
+    return status ? status : scene_surface_add(loader, node, bsdf, NULL, radiance, surface);
 }
 
 static brdf_status shape_mesh(struct scene_loader *loader, const struct shape_draft *shape,

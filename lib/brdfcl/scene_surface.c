@@ -12,6 +12,7 @@ static int surface_find(const struct brdfcl_scene *scene, const struct scene_sur
     for (size_t i = 0; i < scene->surface_count; ++i) {
         const struct scene_surface *surface = &scene->surfaces[i];
         if (surface->bsdf == wanted->bsdf && surface->emits == wanted->emits &&
+            memcmp(&surface->tilt, &wanted->tilt, sizeof wanted->tilt) == 0 &&
             memcmp(surface->radiance, wanted->radiance, sizeof wanted->radiance) == 0) {
             return (int)i;
         }
@@ -20,12 +21,16 @@ static int surface_find(const struct brdfcl_scene *scene, const struct scene_sur
 }
 
 brdf_status scene_surface_add(struct scene_loader *loader, const struct xml_node *node,
-                              struct brdf_bsdf *bsdf, const double radiance[3], int *surface)
+                              struct brdf_bsdf *bsdf, const struct scene_tilt *tilt,
+                              const double radiance[3], int *surface)
 {
     struct brdfcl_scene *scene = loader->scene;
     struct scene_surface wanted;
     memset(&wanted, 0, sizeof wanted);
     wanted.bsdf = bsdf;
+    if (tilt) {
+        wanted.tilt = *tilt;
+    }
     for (int i = 0; i < 3; ++i) {
         wanted.radiance[i] = (float)radiance[i] + 0.0f; /* no -0, which would look different */
         wanted.emits |= wanted.radiance[i] > 0.0f;

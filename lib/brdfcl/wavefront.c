@@ -44,11 +44,11 @@ static char *program_text(const struct world *world)
         }
         used += (size_t)snprintf(
             text + used, size - used,
-            "        struct pt_variant variant = {%s, 0x%xu, 0x%xu, %d, 0x%xu, 0x%xu};\n"
+            "        struct pt_variant variant = {%s, 0x%xu, 0x%xu, %d, 0x%xu, 0x%xu, 0x%xu};\n"
             "        pt_shade(w, pass, variant, packet, depth);\n"
             "    }\n}\n",
             opencl_model_tag(variant->model), variant->flags, variant->choices, v,
-            variant->textured, variant->colors);
+            variant->textured, variant->colors, variant->tilt);
     }
     return text;
 }

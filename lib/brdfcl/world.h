@@ -17,8 +17,9 @@ struct world_variant {
     unsigned choices;
     unsigned textured; /* kernels/texture.h */
     unsigned colors;
-    int through;  /* no model: paths go on as if nothing were there */
-    int surfaces; /* how many surfaces are shaded by it */
+    unsigned tilt; /* enum pt_tilt_how */
+    int through;   /* no model: paths go on as if nothing were there */
+    int surfaces;  /* how many surfaces are shaded by it */
 };
 
 struct world {

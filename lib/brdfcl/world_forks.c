@@ -21,7 +21,10 @@ brdf_status world_forks(const struct brdfcl_scene *scene, struct world *world,
     for (size_t i = 0; i < scene->fork_count && status == BRDF_OK; ++i) {
         const struct scene_fork *from = &scene->forks[i];
         struct pt_fork *to = (struct pt_fork *)(void *)(words->words + settings->forks) + i;
+        to->kind = from->kind;
+        to->texture = from->texture;
         to->weight = from->weight;
+        settings->features |= from->kind != PT_FORK_SHARE ? PT_HAS_PLACED_FORKS : 0;
         to->first = world_key(scene, from->first);
         to->second = world_key(scene, from->second);
     }

@@ -15,7 +15,8 @@ static int find_variant(struct world *world, const struct world_variant *wanted)
         struct world_variant *variant = &world->variants[v];
         if (variant->model == wanted->model && variant->flags == wanted->flags &&
             variant->choices == wanted->choices && variant->textured == wanted->textured &&
-            variant->colors == wanted->colors && variant->through == wanted->through) {
+            variant->colors == wanted->colors && variant->tilt == wanted->tilt &&
+            variant->through == wanted->through) {
             variant->surfaces += 1;
             return v;
         }
@@ -109,6 +110,9 @@ static brdf_status put_surface(const struct brdfcl_scene *scene, struct world *w
         variant.model = surface.material.model;
         variant.flags = surface.material.flags;
         variant.choices = surface.material.choices;
+        variant.tilt = from->tilt.how;
+        surface.tilt_texture = from->tilt.texture;
+        surface.tilt_scale = from->tilt.scale;
         status = world_bindings(scene, from->bsdf, words, &surface.bindings, &variant.textured,
                                 &variant.colors, error);
     }
