@@ -24,35 +24,37 @@ static inline brdf_real pt_wrap_direction(int wrap, brdf_real x)
     return 1.0f;
 }
 
-static inline brdf_real pt_texel_luminance(struct pt_world w,
-                                           BRDF_GLOBAL const struct pt_texture *texture, brdf_int x,
-                                           brdf_int y)
-{
-    return brdf_rgb_luminance(pt_texel(w, texture, x, y));
-}
-
 /* By the surface's u and v, of bitmap `number`. */
 static inline struct pt_gradient pt_texture_gradient(struct pt_world w, int number,
                                                      struct pt_interaction at)
 {
     BRDF_GLOBAL const struct pt_texture *texture = pt_texture_at(w, number);
     BRDF_GLOBAL const float *m = texture->to_uv;
+    int wrap = texture->wrap;
+    struct pt_gradient gradient = {0.0f, 0.0f};
+    if (texture->nearest) {
+        return gradient;
+    }
     brdf_real u = m[0] * at.u + m[1] * at.v + m[2];
     brdf_real v = m[3] * at.u + m[4] * at.v + m[5];
-    struct pt_neighbours x = pt_neighbours_of(texture->wrap, texture->width, u);
-    struct pt_neighbours y = pt_neighbours_of(texture->wrap, texture->height, v);
-    brdf_real f00 = pt_texel_luminance(w, texture, x.first, y.first);
-    brdf_real f10 = pt_texel_luminance(w, texture, x.second, y.first);
-    brdf_real f01 = pt_texel_luminance(w, texture, x.first, y.second);
-    brdf_real f11 = pt_texel_luminance(w, texture, x.second, y.second);
-    brdf_real by_x = (f10 - f00) * (1.0f - y.between) + (f11 - f01) * y.between;
-    brdf_real by_y = (f01 - f00) * (1.0f - x.between) + (f11 - f10) * x.between;
-    by_x = by_x * (float)texture->width * pt_wrap_direction(texture->wrap, u);
-    by_y = by_y * (float)texture->height * pt_wrap_direction(texture->wrap, v);
-    struct pt_gradient gradient;
-    float smooth = texture->nearest ? 0.0f : 1.0f;
-    gradient.u = (m[0] * by_x + m[3] * by_y) * smooth;
-    gradient.v = (m[1] * by_x + m[4] * by_y) * smooth;
+    struct pt_neighbours x = pt_bilinear_of(wrap, texture->width, u);
+    struct pt_neighbours y = pt_bilinear_of(wrap, texture->height, v);
+    brdf_real by_x = 0.0f;
+    brdf_real by_y = 0.0f;
+    for (int corner = 0; corner < 4; ++corner) {
+        int right = corner & 1;
+        int lower = corner >> 1;
+        brdf_real value = brdf_rgb_luminance(
+            pt_texel(w, texture, right ? x.second : x.first, lower ? y.second : y.first));
+        brdf_real along_x = value * (lower ? y.between : 1.0f - y.between);
+        brdf_real along_y = value * (right ? x.between : 1.0f - x.between);
+        by_x = by_x + (right ? along_x : -along_x);
+        by_y = by_y + (lower ? along_y : -along_y);
+    }
+    by_x = by_x * (float)texture->width * pt_wrap_direction(wrap, u);
+    by_y = by_y * (float)texture->height * pt_wrap_direction(wrap, v);
+    gradient.u = m[0] * by_x + m[3] * by_y;
+    gradient.v = m[1] * by_x + m[4] * by_y;
     return gradient;
 }
 

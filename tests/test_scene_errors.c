@@ -202,8 +202,8 @@ static void references(void **state)
               "<bsdf type=\"twosided\" id=\"b\"><ref id=\"a\"/></bsdf></scene>",
          4, BRDF_BAD_FILE, "contains itself"},
         {HEAD "<bsdf type=\"twosided\"/></scene>", 3, BRDF_BAD_FILE, "holds one"},
-        {HEAD "<bsdf type=\"twosided\"><bsdf type=\"diffuse\"/>\n<bsdf type=\"diffuse\"/></bsdf>"
-              "</scene>",
+        {HEAD "<bsdf type=\"twosided\"><bsdf type=\"diffuse\"/><bsdf type=\"diffuse\"/>\n"
+              "<bsdf type=\"diffuse\"/></bsdf></scene>",
          4, BRDF_BAD_FILE, "one more"},
         {HEAD "<bsdf type=\"twosided\"><bsdf type=\"dielectric\"/></bsdf></scene>", 3,
          BRDF_BAD_ARGUMENT, "dielectric"},
