@@ -29,7 +29,7 @@ struct lab_energy energy_by_sampling(const struct brdf_bsdf *bsdf, brdf_vec3 wo)
 struct lab_sphere_sum energy_by_quadrature(const struct brdf_bsdf *bsdf, brdf_vec3 wo)
 {
     struct lab_sphere_sum sum;
-    assert_int_equal(lab_energy_integrated(bsdf, wo, &sum, NULL), BRDF_OK);
+    assert_int_equal(lab_energy_integrated(bsdf, wo, 1, &sum, NULL), BRDF_OK);
     return sum;
 }
 

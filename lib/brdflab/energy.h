@@ -22,9 +22,11 @@ struct lab_energy {
  */
 struct lab_energy lab_energy_sampled(const struct brdf_bsdf *bsdf, brdf_vec3 wo, size_t samples);
 
-/* The integral of f |cos| in cells that follow the samples, to *sum. BRDF_OUT_OF_MEMORY. */
+/* The integral of f |cos| in cells that follow the samples, to *sum; another seed, other cells.
+   BRDF_OUT_OF_MEMORY. */
 brdf_status lab_energy_integrated(const struct brdf_bsdf *bsdf, brdf_vec3 wo,
-                                  struct lab_sphere_sum *sum, struct brdf_error *error);
+                                  unsigned long long seed, struct lab_sphere_sum *sum,
+                                  struct brdf_error *error);
 
 /*
  * Light by sampling against light by quadrature: measured is their difference. LAB_NONE where there

@@ -111,13 +111,16 @@ struct lab_finding lab_try_finite(const struct brdf_bsdf *bsdf, size_t calls,
     return finding;
 }
 
-/* Of the channel that differs most; 0 for numbers that are nearly 0. */
-static double difference(brdf_rgb a, brdf_rgb b)
+static double apart(float a, float b, float least)
 {
-    float r = fabsf(a.r - b.r) / brdf_max(brdf_max(a.r, b.r), 1e-10f);
-    float g = fabsf(a.g - b.g) / brdf_max(brdf_max(a.g, b.g), 1e-10f);
-    float bb = fabsf(a.b - b.b) / brdf_max(brdf_max(a.b, b.b), 1e-10f);
-    return (double)brdf_max(brdf_max(r, g), bb);
+    return (double)(fabsf(a - b) / brdf_max(brdf_max(a, b), least));
+}
+
+/* Relative, of the channel that differs most; numbers below `least` count as if they were that. */
+static double difference(brdf_rgb a, brdf_rgb b, float least)
+{
+    double red_green = fmax(apart(a.r, b.r, least), apart(a.g, b.g, least));
+    return fmax(red_green, apart(a.b, b.b, least));
 }
 
 /* 1 where a difference is the largest so far, which is noted; one that is no number stays. */
@@ -133,7 +136,7 @@ static void try_pair(struct lab_finding *finding, const struct brdf_bsdf *bsdf, 
 {
     brdf_rgb there = brdf_rgb_scale(brdf_eval(bsdf, wo, wi), eta * eta);
     brdf_rgb back = brdf_eval(bsdf, wi, wo);
-    if (is_worse(finding, difference(there, back))) {
+    if (is_worse(finding, difference(there, back, 1e-10f))) {
         snprintf(finding->detail, sizeof finding->detail, "relative: f = %.9g there, %.9g back",
                  (double)there.r, (double)back.r);
         lab_finding_note(finding, wo, wi, NULL);
@@ -165,6 +168,9 @@ struct lab_finding lab_try_reciprocal(const struct brdf_bsdf *bsdf, size_t calls
     return finding;
 }
 
+/* A sample that carries a millionth of the light may be off by as much as it likes. */
+#define LEAST_WEIGHT 1e-6f
+
 static void try_sample(struct lab_finding *finding, const struct brdf_bsdf *bsdf, brdf_vec3 wo,
                        brdf_vec3 u, struct brdf_sample s)
 {
@@ -177,7 +183,7 @@ static void try_sample(struct lab_finding *finding, const struct brdf_bsdf *bsdf
                  "relative: sampled with density %.9g, pdf says %.9g", (double)s.pdf, (double)pdf);
         lab_finding_note(finding, wo, s.wi, &u);
     }
-    if (of_pdf <= finding->limit && is_worse(finding, difference(weight, s.weight))) {
+    if (of_pdf <= finding->limit && is_worse(finding, difference(weight, s.weight, LEAST_WEIGHT))) {
         snprintf(finding->detail, sizeof finding->detail,
                  "relative: weight %.9g, f cos / pdf = %.9g", (double)s.weight.r, (double)weight.r);
         lab_finding_note(finding, wo, s.wi, &u);
@@ -223,7 +229,7 @@ struct lab_finding lab_try_isotropic(const struct brdf_bsdf *bsdf, size_t calls,
         struct brdfcl_check_input in = brdfcl_check_input_make(&random);
         brdf_rgb f = brdf_eval(bsdf, in.wo, in.wi);
         brdf_rgb turned = brdf_eval(bsdf, quarter_turn(in.wo), quarter_turn(in.wi));
-        if (is_worse(&finding, difference(f, turned))) {
+        if (is_worse(&finding, difference(f, turned, 1e-10f))) {
             snprintf(finding.detail, sizeof finding.detail,
                      "relative: f = %.9g, turned by 90 degrees %.9g", (double)f.r,
                      (double)turned.r);

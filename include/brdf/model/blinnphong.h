@@ -76,9 +76,9 @@ static inline struct brdf_sample brdf_blinnphong_sample(struct brdf_blinnphong p
     brdf_vec3 mirrored = brdf_half_mirror(wo, normal);
     brdf_vec3 wi = brdf_vec3_pick(u.z < share, mirrored, brdf_warp_cosine(u.x, u.y));
     struct brdf_half h = brdf_half_make(wo, wi);
-    /* f cos / pdf of the lobe: the power cancels but for one cosine of h. */
-    brdf_real weight =
-        2.0f * brdf_blinnphong_factor(p) * h.square * wi.z / brdf_max(h.sum.z, 1e-10f);
+    /* f cos / pdf of the lobe: the power cancels but for one cosine of h, as brdf_half_power has
+       it. */
+    brdf_real weight = 2.0f * brdf_blinnphong_factor(p) * sqrtf(h.square * (1.0f + h.tan2)) * wi.z;
     return brdf_mixture_sample(wo, wi, share, brdf_blinnphong_lobe_pdf(p, h),
                                brdf_rgb_scale(p.specular_reflectance, weight),
                                p.diffuse_reflectance);
