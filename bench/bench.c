@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <brdf/info.h>
+#include <brdf/material.h>
 
 #include "commands.h"
 #include "say.h"
@@ -22,7 +23,9 @@ static const char summary[] =
     "is OpenCL at native lanes on all cores against C on one thread; 'B' the bytes that an "
     "evaluation\n"
     "moves, 'of triad' what part of the measured bandwidth that is. All bits are compared first.\n"
-    "Rates never decide the exit status; bits that differ do.";
+    "Rates never decide the exit status; bits that differ do. With --variance no time is measured, "
+    "but\n"
+    "how much noise each material's sampling leaves, beside sampling the cosine.";
 
 static const char cornell[] = "scenes/cornell.xml";
 static const int all_lanes[BENCH_LANES] = {1, 4, 8, 16};
@@ -33,6 +36,8 @@ static int read_command_line(struct bench *bench, int argc, char **argv)
         {"json", 0, OPTION_TEXT, &bench->json_path, "FILE", 0, 0,
          "write everything as JSON, each round too; - is standard output"},
         {"quick", 0, OPTION_ON, &bench->quick, NULL, 0, 0, "shorter timings and smaller renders"},
+        {"variance", 0, OPTION_ON, &bench->variance, NULL, 0, 0,
+         "noise instead of time: relative variance under two lights, --count samples"},
         {"scene", 0, OPTION_LIST, &bench->scenes, "FILE", 0, 0, "render this; several are fine"},
         {"rounds", 0, OPTION_INT, &bench->rounds, "N", 1, BENCH_ROUNDS, "7 if not given"},
         {"count", 0, OPTION_INT, &bench->count, "N", 1024, 1 << 26,
@@ -63,7 +68,18 @@ static void add_material(struct bench *bench, const char *model, const char *par
     }
 }
 
-/* A model as it is initially; where it has options, once with each of the first choice. */
+/* Not every option goes with the initial ones of the other choices. */
+static int is_material(const char *model, const char *parameter, const char *option)
+{
+    struct brdf_setting setting = brdf_setting_text(parameter, option);
+    struct brdf_bsdf *bsdf;
+    int exists = brdf_bsdf_create_from(model, &setting, 1, &bsdf, NULL) == BRDF_OK;
+    brdf_bsdf_destroy(bsdf);
+    return exists;
+}
+
+/* A model as it is initially; where it has options, once with each of the first choice that does
+   not need other options as well. */
 static void add_model(struct bench *bench, const struct brdf_model_info *model)
 {
     const struct brdf_parameter_info *first = model->parameters;
@@ -73,7 +89,9 @@ static void add_model(struct bench *bench, const struct brdf_model_info *model)
         return;
     }
     for (int i = 0; brdf_parameter_item(first, i, option, sizeof option); ++i) {
-        add_material(bench, model->name, first->name, option);
+        if ((model->flags & BRDF_TABULATED) || is_material(model->name, first->name, option)) {
+            add_material(bench, model->name, first->name, option);
+        }
     }
 }
 
@@ -83,11 +101,35 @@ static void choose_subjects(struct bench *bench)
     for (int tag = 0; nothing_named && tag < brdf_model_count(); ++tag) {
         add_model(bench, brdf_model_info(tag));
     }
+    if (bench->variance) {
+        return;
+    }
     if (nothing_named && access(cornell, R_OK) == 0) {
         bench->scenes.item[bench->scenes.count++] = cornell;
     } else if (nothing_named) {
         say("%s is not here: no render is measured (name one with --scene)", cornell);
     }
+}
+
+/* A model that wants a file, and was not given one, is left out with a word. */
+static brdf_status forgive_missing_file(brdf_status status, const struct brdf_error *error)
+{
+    if (status == BRDF_UNSUPPORTED) {
+        say("%s; left out", error->message);
+        return BRDF_OK;
+    }
+    return status;
+}
+
+static brdf_status measure_variance(struct bench *bench, struct brdf_error *error)
+{
+    brdf_status status = BRDF_OK;
+    bench_variance_begin(bench);
+    for (int i = 0; i < bench->materials.count && !status; ++i) {
+        status = bench_variance(bench, bench->materials.item[i], error);
+        status = forgive_missing_file(status, error);
+    }
+    return status ? status : bench_report_end(bench, error);
 }
 
 static brdf_status open_devices(struct bench *bench, struct brdf_error *error)
@@ -122,10 +164,7 @@ static brdf_status measure(struct bench *bench, struct brdf_error *error)
     }
     for (int i = 0; i < bench->materials.count && !status; ++i) {
         status = bench_material(bench, bench->materials.item[i], error);
-        if (status == BRDF_UNSUPPORTED) { /* a model that wants a file, and was not given one */
-            say("%s; left out", error->message);
-            status = BRDF_OK;
-        }
+        status = forgive_missing_file(status, error);
     }
     if (bench->scenes.count && !status) {
         bench_report_heading(bench, "M samples/s");
@@ -151,7 +190,7 @@ int command_bench(int argc, char **argv)
     struct brdf_error error = {BRDF_OK, ""};
     brdf_status status = bench.json_path ? text_file_check(bench.json_path, &error) : BRDF_OK;
     if (!status) {
-        status = measure(&bench, &error);
+        status = bench.variance ? measure_variance(&bench, &error) : measure(&bench, &error);
     }
     for (int i = 0; i < BENCH_LANES; ++i) {
         brdfcl_device_close(bench.device[i]);

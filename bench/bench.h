@@ -43,6 +43,7 @@ struct bench {
     const char *json_path;
     const char *device_choice;
     int quick;
+    int variance; /* measure noise instead of time */
     int rounds;
     int count;           /* evaluations in one run of a kernel */
     int spp;             /* of renders */
@@ -80,6 +81,10 @@ brdf_status bench_contest(const struct bench *bench, struct bench_row *row, doub
 /* All rows of a material, or the row of a scene: measured, printed, put into the JSON. */
 brdf_status bench_material(struct bench *bench, const char *description, struct brdf_error *error);
 brdf_status bench_scene(struct bench *bench, const char *path, struct brdf_error *error);
+
+/* The heading, and a row: relative variance of sampling a material. variance.c */
+void bench_variance_begin(struct bench *bench);
+brdf_status bench_variance(struct bench *bench, const char *description, struct brdf_error *error);
 
 /* report.c */
 void bench_report_begin(struct bench *bench);
