@@ -38,8 +38,8 @@ static void rough_metals_come_back_to_the_grid(void **state)
         const char *description;
         double rms, mean, albedo;
     } cases[] = {
-        {"roughconductor:material=Au,alpha=0.1", 0.01, 0.004, 0.012},
-        {"roughconductor:material=Au,alpha=0.2", 0.004, 0.002, 0.005},
+        {"roughconductor:material=Au,alpha=0.1,distribution=ggx", 0.01, 0.004, 0.012},
+        {"roughconductor:material=Au,alpha=0.2,distribution=ggx", 0.004, 0.002, 0.005},
         {"roughconductor:material=Au,alpha=0.4,distribution=beckmann", 0.002, 0.001, 0.002},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {

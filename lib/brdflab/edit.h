@@ -33,8 +33,9 @@ int lab_edit_is_nothing(const struct lab_edit *edit);
  * which V-shaped grooves stand in [Torrance and Sparrow 1967], since their masking does not depend
  * on the roughness. For a lobe of such grooves whose shape does not depend on its width (GGX,
  * Beckmann [Heitz 2014, section 5.3]) the result is that of alpha / gloss; for one with Smith's
- * masking it comes near. Invalid bins stay invalid; an edit of nothing keeps every bit. `edited` is the caller's, for brdf_merl_free. Errors:
- * BRDF_BAD_ARGUMENT (a factor out of range, a table without a valid bin), BRDF_OUT_OF_MEMORY.
+ * masking it comes near. Invalid bins stay invalid; an edit of nothing keeps every bit. `edited` is
+ * the caller's, for brdf_merl_free. Errors: BRDF_BAD_ARGUMENT (a factor out of range, a table
+ * without a valid bin), BRDF_OUT_OF_MEMORY.
  */
 brdf_status lab_edit_merl(const struct brdf_merl_file *file, const struct lab_edit *edit,
                           struct brdf_merl_file *edited, struct brdf_error *error);

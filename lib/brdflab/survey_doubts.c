@@ -46,8 +46,8 @@ static int black_bins(const struct lab_findings *findings, char *text, size_t si
         return 0;
     }
     snprintf(text, size,
-             "%zu measured bins are exactly 0 in some channel (%.2f %%): negative readings that "
-             "were cut off, or unmeasured ones that were not marked",
+             "%zu measured bins are exactly 0 in some channel (%.2f %%): too dark to be measured, "
+             "or never measured and not marked so",
              m->zero, 100.0 * (double)m->zero / (double)m->valid);
     return 1;
 }
