@@ -118,10 +118,10 @@ static inline struct brdf_fiber_cone brdf_fiber_cone_of(struct brdf_fiber fiber,
 }
 
 /* Half the arc [rad] around the fibre of what has this inclination and gets out. */
-static inline brdf_real brdf_fiber_arc(struct brdf_fiber fiber, brdf_real sin, brdf_real cos)
+static inline brdf_real brdf_fiber_arc(struct brdf_fiber fiber, brdf_real sine, brdf_real cosine)
 {
-    brdf_real above = sqrtf(brdf_fiber_critical2(fiber.eta)) - sin * fiber.frame.n.z;
-    brdf_real across = brdf_max(cos * fiber.frame.s.z, 1e-7f);
+    brdf_real above = sqrtf(brdf_fiber_critical2(fiber.eta)) - sine * fiber.frame.n.z;
+    brdf_real across = brdf_max(cosine * fiber.frame.s.z, 1e-7f);
     return brdf_max(brdf_acos(brdf_clamp(above / across, -1.0f, 1.0f)), 1e-4f);
 }
 
