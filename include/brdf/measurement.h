@@ -53,6 +53,19 @@ static inline int brdf_measured_line(int words)
     return (words + 15) / 16 * 16;
 }
 
+/* Place the parts of a map, from `words` on; where they end. */
+static inline int brdf_map_place(struct brdf_map *map, int words)
+{
+    int slices = map->thetas * map->phis;
+    map->row_words = words;
+    map->node_words = map->row_words + brdf_measured_line(2 * slices * map->rows);
+    map->row_guess_words =
+        map->node_words + brdf_measured_line(2 * slices * map->rows * map->columns);
+    map->column_guess_words =
+        map->row_guess_words + brdf_measured_line(2 * slices * BRDF_MAP_STEPS);
+    return map->column_guess_words + brdf_measured_line(2 * slices * BRDF_MAP_STEPS * map->rows);
+}
+
 static inline struct brdf_measured_layout brdf_measured_layout_of(BRDF_GLOBAL const float *table)
 {
     struct brdf_measured_layout layout;
@@ -61,24 +74,16 @@ static inline struct brdf_measured_layout brdf_measured_layout_of(BRDF_GLOBAL co
     int size = (int)table[BRDF_MEASURED_SIZE];
     layout.phi_words = BRDF_MEASURED_HEADER;
     layout.theta_words = layout.phi_words + brdf_measured_line(phis);
-    layout.vndf.rows = (int)table[BRDF_MEASURED_VNDF_ROWS];
-    layout.vndf.columns = (int)table[BRDF_MEASURED_VNDF_COLUMNS];
     layout.vndf.thetas = thetas;
     layout.vndf.phis = phis;
-    layout.vndf.row_words = layout.theta_words + brdf_measured_line(thetas);
-    layout.vndf.node_words =
-        layout.vndf.row_words + brdf_measured_line(2 * phis * thetas * layout.vndf.rows);
-    layout.luminance.rows = size;
-    layout.luminance.columns = size;
+    layout.vndf.rows = (int)table[BRDF_MEASURED_VNDF_ROWS];
+    layout.vndf.columns = (int)table[BRDF_MEASURED_VNDF_COLUMNS];
+    int end = brdf_map_place(&layout.vndf, layout.theta_words + brdf_measured_line(thetas));
     layout.luminance.thetas = thetas;
     layout.luminance.phis = phis;
-    layout.luminance.row_words =
-        layout.vndf.node_words +
-        brdf_measured_line(2 * phis * thetas * layout.vndf.rows * layout.vndf.columns);
-    layout.luminance.node_words =
-        layout.luminance.row_words + brdf_measured_line(2 * phis * thetas * size);
-    layout.color_words =
-        layout.luminance.node_words + brdf_measured_line(2 * phis * thetas * size * size);
+    layout.luminance.rows = size;
+    layout.luminance.columns = size;
+    layout.color_words = brdf_map_place(&layout.luminance, end);
     layout.ndf_rows = (int)table[BRDF_MEASURED_NDF_ROWS];
     layout.ndf_columns = (int)table[BRDF_MEASURED_NDF_COLUMNS];
     layout.ndf_words = layout.color_words + brdf_measured_line(4 * phis * thetas * size * size);

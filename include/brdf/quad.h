@@ -70,9 +70,12 @@ static inline struct brdf_quad brdf_gather_quad(BRDF_GLOBAL const float *table, 
     BRDF_SHUFFLE(p, q, 2, 3, 18, 19, 6, 7, 22, 23, 10, 11, 26, 27, 14, 15, 30, 31)
 #endif
 
+/* Four floats anywhere. (PoCL makes two loads of vload4.) */
+typedef float4 brdf_four_floats __attribute__((aligned(4)));
+
 static inline struct brdf_quad brdf_gather_quad(BRDF_GLOBAL const float *table, brdf_int index)
 {
-#define BRDF_LANE(k) vload4(0, table + index.s##k)
+#define BRDF_LANE(k) *(BRDF_GLOBAL const brdf_four_floats *)(table + as_uint(index.s##k))
     brdf_real row0 = BRDF_BESIDE(BRDF_LANE, 0, 4, 8, c);
     brdf_real row1 = BRDF_BESIDE(BRDF_LANE, 1, 5, 9, d);
     brdf_real row2 = BRDF_BESIDE(BRDF_LANE, 2, 6, a, e);

@@ -95,6 +95,33 @@ static double map_integral(const float *data, int rows, int columns)
     return sum / ((rows - 1.0) * (columns - 1.0));
 }
 
+/* The place, in cells, where a line of integrals at the nodes reaches the part u of the last. */
+static double line_invert(const float *line, size_t apart, int nodes, double u)
+{
+    double wanted = u * (double)line[apart * (size_t)(nodes - 1)];
+    int cell = 0;
+    while (cell < nodes - 2 && (double)line[apart * (size_t)(cell + 1)] < wanted) {
+        ++cell;
+    }
+    double begin = (double)line[apart * (size_t)cell];
+    double width = (double)line[apart * (size_t)(cell + 1)] - begin;
+    double inside = width > 0.0 ? (wanted - begin) / width : 0.0;
+    return cell + (inside < 0.0 ? 0.0 : inside > 1.0 ? 1.0 : inside);
+}
+
+/* The inverse of a line at the steps, each with the next, times the whole. */
+static void guesses_build(float *words, const float *line, size_t apart, int nodes)
+{
+    double all = (double)line[apart * (size_t)(nodes - 1)];
+    for (int step = 0; step < BRDF_MAP_STEPS; ++step) {
+        float *pair = words + apart * (size_t)step;
+        for (int i = 0; i < 2; ++i) {
+            float u = brdf_map_step((float)(step + i) / (float)BRDF_MAP_STEPS);
+            pair[i] = (float)(all * line_invert(line, apart, nodes, (double)u));
+        }
+    }
+}
+
 /*
  * One slice of a map: densities, and their integrals up to each node. Where there is nothing at
  * all, a density of 1 keeps every sample finite.
@@ -121,10 +148,14 @@ static void slice_build(float *table, const struct brdf_map *map, int slice, con
             left = value;
         }
         sum += row > 0 ? 0.5 * (before + along) / (map->rows - 1.0) : 0.0;
+        guesses_build(
+            table + map->column_guess_words + 2 * slice + apart * BRDF_MAP_STEPS * (size_t)row,
+            node_words + apart * (size_t)map->columns * (size_t)row + 1, apart, map->columns);
         row_words[apart * (size_t)row] = (float)sum;
         row_words[apart * (size_t)row + 1] = (float)along;
         before = along;
     }
+    guesses_build(table + map->row_guess_words + 2 * slice, row_words, apart, map->rows);
 }
 
 /* Colours of one slice, each with the density that the map of luminance has there. */
@@ -186,8 +217,9 @@ static void values_fill(float *table, const struct brdf_measured_layout *layout,
 static double words_estimate(const struct brdf_rgl_file *file)
 {
     double views = (double)file->phi_count * theta_slices(file);
-    return views * (2.0 * file->vndf_rows * (file->vndf_columns + 1.0) +
-                    6.0 * file->size * (file->size + 1.0)) +
+    double steps = BRDF_MAP_STEPS;
+    return views * (2.0 * file->vndf_rows * (file->vndf_columns + 1.0 + steps) + 4.0 * steps +
+                    2.0 * file->size * (3.0 * file->size + 1.0 + steps)) +
            4.0 * file->ndf_rows * file->ndf_columns + 4.0 * file->sigma_rows * file->sigma_columns;
 }
 

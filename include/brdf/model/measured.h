@@ -148,11 +148,9 @@ static inline brdf_real brdf_measured_factor(struct brdf_measured_layout layout,
 
 /* Colour and density of luminance at a node, blended between the slices. */
 static inline struct brdf_quad brdf_measured_node(struct brdf_measured_layout layout,
-                                                  struct brdf_slices slices, brdf_int node,
-                                                  BRDF_GLOBAL const float *table)
+                                                  struct brdf_slices slices,
+                                                  BRDF_GLOBAL const float *words, brdf_int index)
 {
-    BRDF_GLOBAL const float *words = table + layout.color_words;
-    brdf_int index = 4 * (node * (layout.vndf.thetas * layout.vndf.phis) + slices.first);
     struct brdf_quad p = brdf_gather_quad(words, index);
     struct brdf_quad q = brdf_gather_quad(words + 4, index);
     p.a = p.a * slices.low + q.a * slices.high;
@@ -190,13 +188,16 @@ static inline struct brdf_quad brdf_measured_color(struct brdf_measured_layout l
     int size = layout.luminance.columns;
     brdf_int column = brdf_map_cell(x, size, &tx);
     brdf_int row = brdf_map_cell(y, size, &ty);
-    brdf_int node = row * size + column;
+    int apart = 4 * layout.vndf.thetas * layout.vndf.phis;
+    brdf_int index = (row * size + column) * apart + 4 * slices.first;
+    BRDF_GLOBAL const float *near = table + layout.color_words;
+    BRDF_GLOBAL const float *far = near + apart * size;
     struct brdf_quad lower =
-        brdf_measured_between(brdf_measured_node(layout, slices, node, table),
-                              brdf_measured_node(layout, slices, node + 1, table), tx);
+        brdf_measured_between(brdf_measured_node(layout, slices, near, index),
+                              brdf_measured_node(layout, slices, near + apart, index), tx);
     struct brdf_quad upper =
-        brdf_measured_between(brdf_measured_node(layout, slices, node + size, table),
-                              brdf_measured_node(layout, slices, node + size + 1, table), tx);
+        brdf_measured_between(brdf_measured_node(layout, slices, far, index),
+                              brdf_measured_node(layout, slices, far + apart, index), tx);
     return brdf_measured_between(lower, upper, ty);
 }
 
