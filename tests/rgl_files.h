@@ -1,0 +1,101 @@
+/*
+ * rgl_files.h - materials to make RGL files of, and places for the files.
+ */
+#ifndef TEST_RGL_FILES_H
+#define TEST_RGL_FILES_H
+
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <brdf/material.h>
+#include <brdf/rgl.h>
+
+#include "merl_bake.h"
+
+/* The bsdf at `data` in RGB; per wavelength its green, rising from 0 at 360 nm to 1 at 830 nm. */
+static inline void rgl_test_values(const double wo[3], const double wi[3], int channels,
+                                   const float *wavelengths, double *values, void *data)
+{
+    brdf_rgb f = brdf_eval(data, brdf_vec3_make((float)wo[0], (float)wo[1], (float)wo[2]),
+                           brdf_vec3_make((float)wi[0], (float)wi[1], (float)wi[2]));
+    const double rgb[3] = {(double)f.r, (double)f.g, (double)f.b};
+    for (int i = 0; i < channels; ++i) {
+        values[i] = wavelengths ? rgb[1] * ((double)wavelengths[i] - 360.0) / 470.0 : rgb[i];
+    }
+}
+
+static inline struct brdf_bsdf *rgl_test_bsdf(const char *description)
+{
+    struct brdf_bsdf *bsdf = NULL;
+    struct brdf_error error = {BRDF_OK, ""};
+    if (brdf_bsdf_create(description, &bsdf, &error)) {
+        fail_msg("%s: %s", description, error.message);
+    }
+    return bsdf;
+}
+
+/* A file's values of a material; ends the test if there are none. */
+static inline struct brdf_rgl_file rgl_test_make(const char *description,
+                                                 const struct brdf_rgl_grid *grid)
+{
+    struct brdf_rgl_file file;
+    struct brdf_error error = {BRDF_OK, ""};
+    struct brdf_bsdf *bsdf = rgl_test_bsdf(description);
+    if (brdf_rgl_make(rgl_test_values, bsdf, grid, &file, &error)) {
+        fail_msg("%s: %s", description, error.message);
+    }
+    brdf_bsdf_destroy(bsdf);
+    return file;
+}
+
+/* The values as the model measured, through a file. */
+static inline struct brdf_bsdf *rgl_test_load(const struct brdf_rgl_file *file)
+{
+    char *folder = test_folder_make();
+    char path[4200];
+    struct brdf_bsdf *bsdf = NULL;
+    struct brdf_error error = {BRDF_OK, ""};
+    assert_non_null(folder);
+    snprintf(path, sizeof path, "%s/material.bsdf", folder);
+    struct brdf_setting setting = brdf_setting_text("filename", path);
+    brdf_status status = brdf_rgl_write(path, file, &error);
+    status = status ? status : brdf_bsdf_create_from("measured", &setting, 1, &bsdf, &error);
+    unlink(path);
+    rmdir(folder);
+    free(folder);
+    if (status) {
+        fail_msg("%s", error.message);
+    }
+    return bsdf;
+}
+
+/* Uniform numbers of 24 bits from a counter (SplitMix64): the tests are the same on every run. */
+static inline float rgl_test_uniform(uint64_t *state)
+{
+    uint64_t z = (*state += 0x9e3779b97f4a7c15u);
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return (float)((z ^ (z >> 31)) >> 40) * 0x1p-24f;
+}
+
+static inline brdf_vec3 rgl_test_cube(uint64_t *state)
+{
+    float x = rgl_test_uniform(state);
+    float y = rgl_test_uniform(state);
+    return brdf_vec3_make(x, y, rgl_test_uniform(state));
+}
+
+/* A direction above the surface, uniform in solid angle, its cosine at least `least`. */
+static inline brdf_vec3 rgl_test_direction(uint64_t *state, double least)
+{
+    double z = least + (1.0 - least) * (double)rgl_test_uniform(state);
+    double phi = 2.0 * TEST_PI * (double)rgl_test_uniform(state);
+    double r = sqrt(1.0 - z * z);
+    return brdf_vec3_make((float)(r * cos(phi)), (float)(r * sin(phi)), (float)z);
+}
+
+#endif
