@@ -63,6 +63,9 @@ brdf_status world_append(struct world_words *words, const float *add, size_t cou
 void world_camera(const struct brdfcl_scene *scene, struct pt_settings *settings);
 brdf_status world_textures(const struct brdfcl_scene *scene, struct world *world,
                            struct world_words *words, struct brdf_error *error);
+/* The tables of all bsdfs; table_of_bsdf has the first word of each bsdf's. */
+brdf_status world_tables(const struct brdfcl_scene *scene, struct world *world,
+                         unsigned *table_of_bsdf, struct brdf_error *error);
 brdf_status world_surfaces(const struct brdfcl_scene *scene, struct world *world,
                            struct world_words *words, struct brdf_error *error);
 brdf_status world_lights(const struct brdfcl_scene *scene, struct world *world,

@@ -1,6 +1,6 @@
 /*
- * world_surfaces.c - surfaces with their materials, the tables of measured ones, and the variants:
- * surfaces of equal model, flags, choices and textured parameters are shaded by one kernel.
+ * world_surfaces.c - surfaces with their materials, and the variants: surfaces of equal model,
+ * flags, choices and textured parameters are shaded by one kernel.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -27,56 +27,6 @@ static int find_variant(struct world *world, const struct world_variant *wanted)
     world->variants[count] = *wanted;
     world->settings.variant_count = count + 1;
     return count;
-}
-
-/* All tables as one array: where there is one only, that one; else they are put side by side. */
-static brdf_status gather_tables(const struct brdfcl_scene *scene, struct world *world,
-                                 unsigned *table_of_bsdf, struct brdf_error *error)
-{
-    size_t total = 0;
-    size_t tables = 0;
-    for (size_t i = 0; i < scene->bsdf_count; ++i) {
-        size_t words = 0;
-        const float *table = brdf_bsdf_table(scene->bsdfs[i], &words);
-        table_of_bsdf[i] = (unsigned)total;
-        if (table) {
-            world->tables = table;
-            total += (words + 15) / 16 * 16;
-            ++tables;
-        }
-    }
-    world->table_words = total;
-    if (total > 0x7fffffffu) {
-        return brdf_fail(error, BRDF_OUT_OF_MEMORY,
-                         "%zu measured BRDFs need %zu MB, more than 8 GB; use fewer", tables,
-                         total >> 18);
-    }
-    if (tables == 1) {
-        size_t words = 0;
-        for (size_t i = 0; i < scene->bsdf_count; ++i) {
-            if (brdf_bsdf_table(scene->bsdfs[i], &words)) {
-                world->table_words = words;
-            }
-        }
-        return BRDF_OK;
-    }
-    if (tables == 0) {
-        return BRDF_OK;
-    }
-    world->own_tables = world_allocate(total * sizeof(float));
-    if (!world->own_tables) {
-        return brdf_fail(error, BRDF_OUT_OF_MEMORY, "out of memory for %zu measured BRDFs (%zu MB)",
-                         tables, total >> 18);
-    }
-    for (size_t i = 0; i < scene->bsdf_count; ++i) {
-        size_t words = 0;
-        const float *table = brdf_bsdf_table(scene->bsdfs[i], &words);
-        if (table) {
-            memcpy(world->own_tables + table_of_bsdf[i], table, words * sizeof(float));
-        }
-    }
-    world->tables = world->own_tables;
-    return BRDF_OK;
 }
 
 static unsigned table_of(const struct brdfcl_scene *scene, const struct brdf_bsdf *bsdf,
@@ -137,7 +87,7 @@ brdf_status world_surfaces(const struct brdfcl_scene *scene, struct world *world
     struct pt_settings *settings = &world->settings;
     size_t surface_words = sizeof(struct pt_surface) / sizeof(float);
     unsigned *table_of_bsdf = calloc(scene->bsdf_count + 1, sizeof *table_of_bsdf);
-    brdf_status status = table_of_bsdf ? gather_tables(scene, world, table_of_bsdf, error)
+    brdf_status status = table_of_bsdf ? world_tables(scene, world, table_of_bsdf, error)
                                        : brdf_fail(error, BRDF_OUT_OF_MEMORY, "out of memory");
     settings->surface_count = (int)scene->surface_count;
     if (status == BRDF_OK) {
