@@ -4,10 +4,11 @@
 #
 #   tools/make_docs.sh [MODEL...]      all of docs/models/pictures.txt if none is named
 #
-# $BRDFCL is the command (build/brdfcl if not set), $SPP the samples for each pixel (512). Each page
-# has its pictures between two marks, and gets the marks after its first paragraph if it has none yet.
-# A model that the command does not have, or whose measured files are not in $BRDFCL_DATA
-# (../shared/data if not set), is left as it is, with a word. The same call makes the same files.
+# $BRDFCL is the command (build/brdfcl if not set), $SPP the samples for each pixel (512; with 0 the
+# spheres stay as they are). Each page has its pictures between two marks, and gets the marks after its
+# first paragraph if it has none yet. A model that the command does not have, or whose measured files
+# are not in $BRDFCL_DATA (../shared/data if not set), is left as it is, with a word. The same call
+# makes the same files.
 set -eu
 
 BRDFCL=${BRDFCL:-$(pwd)/build/brdfcl}
@@ -84,8 +85,8 @@ pictures() {
     done
     (
         cd "$work"
-        "$BRDFCL" render scene.xml --quiet --spp "$SPP" -o "$docs/images/$model.png"
-        "$BRDFCL" plot "$@" --panels lobe,albedo -o lobe.svg
+        [ "$SPP" -eq 0 ] || "$BRDFCL" render scene.xml --quiet --spp "$SPP" -o "$docs/images/$model.png"
+        "$BRDFCL" plot "$@" --panels lobe,albedo --angles 0,30,60 -o lobe.svg
     )
     # A hundredth of a point is fine enough, and what goes without saying is left out: half the size.
     sed -e 's/\([0-9]\.[0-9][0-9]\)[0-9][0-9]*/\1/g' -e 's/fill-rule:nonzero;//g' \
