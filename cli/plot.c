@@ -74,14 +74,6 @@ static int read_angles(const struct numbers *degrees, struct lab_plot_settings *
     return OPTIONS_GO_ON;
 }
 
-/* Does the text end in the suffix? */
-static int has_suffix(const char *text, const char *suffix)
-{
-    size_t length = strlen(text);
-    size_t end = strlen(suffix);
-    return length > end && strcmp(text + length - end, suffix) == 0;
-}
-
 /* The last part of a path. */
 static const char *base_of(const char *path)
 {
@@ -163,9 +155,8 @@ int command_plot(int argc, char **argv)
     if (status != OPTIONS_GO_ON) {
         return status;
     }
-    double points = has_suffix(path, ".svg") ? 1.0 : settings.scale;
-    settings.width = size.width / points;
-    settings.height = size.height / points;
+    settings.width = size.width;
+    settings.height = size.height;
     settings.azimuth = phi * degree;
     settings.channel = (enum lab_channel)channel;
     return plot(path, &arguments, &settings);

@@ -94,16 +94,35 @@ pictures() {
         "$work/lobe.svg" >"$docs/images/${model}_lobe.svg"
 }
 
+# page_of MODEL: its page, seen from docs/models; measured ones have theirs among the formats.
+page_of() {
+    for page in "$1.md" "../$1.md"; do
+        [ ! -e "$docs/$page" ] || {
+            echo "$page"
+            return 0
+        }
+    done
+    case $1 in
+    measured) [ ! -e "$docs/../rgl.md" ] || echo ../rgl.md ;;
+    esac
+}
+
 # page MODEL LINE: put the pictures into its page.
 page() {
-    [ -e "$docs/$1.md" ] || {
+    page=$(page_of "$1")
+    [ -n "$page" ] || {
         echo "$1: has no page" >&2
         return 0
     }
+    case $page in
+    ../*) images=models/images ;;
+    *) images=images ;;
+    esac
     {
-        printf '%s\n\n![%s on three spheres](images/%s.png)\n\n' "$begin" "$1" "$1"
-        echo "$2" | cut -d'|' -f2- | sed 's/^ *- *$/as initially/; s/^ */From left to right: `/; s/ *| */`; `/g; s/$/`./'
-        printf '\n![Lobes and albedo of %s](images/%s_lobe.svg)\n\n%s\n' "$1" "$1" "$end"
+        printf '%s\n\n![%s on three spheres](%s/%s.png)\n\n' "$begin" "$1" "$images" "$1"
+        echo "$2" | cut -d'|' -f2- |
+            sed -e 's/^ */From left to right: `/' -e 's/ *| */`, `/g' -e 's/$/`./' -e 's/`-`/as initially/g'
+        printf '\n![Lobes and albedo of %s](%s/%s_lobe.svg)\n\n%s\n' "$1" "$images" "$1" "$end"
     } >"$work/block"
     awk -v begin="$begin" -v end="$end" -v block="$work/block" '
         function put(   line) {
@@ -120,8 +139,8 @@ page() {
                 text = text || (i > 1 && lines[i] != "" && lines[i] !~ /^#/)
                 if (!marked && !done && text && lines[i + 1] == "") { print ""; put() }
             }
-        }' "$docs/$1.md" >"$work/page"
-    cmp -s "$work/page" "$docs/$1.md" || cp "$work/page" "$docs/$1.md"
+        }' "$docs/$page" >"$work/page"
+    cmp -s "$work/page" "$docs/$page" || cp "$work/page" "$docs/$page"
 }
 
 # index: a table of all models that have a page.
@@ -131,12 +150,13 @@ index() {
     printf 'are made by `make docs`.\n\n| | model | |\n|---|---|---|\n'
     grep -v '^ *\(#\|$\)' "$docs/pictures.txt" | while IFS='|' read -r model rest; do
         model=$(echo $model)
-        [ -e "$docs/$model.md" ] || continue
+        page=$(page_of "$model")
+        [ -n "$page" ] || continue
         summary=$("$BRDFCL" models "$model" | sed -n "1s/^$model: //p")
         image=
         [ ! -e "$docs/images/$model.png" ] ||
-            image="<a href=\"$model.md\"><img src=\"images/$model.png\" width=\"320\" alt=\"$model\"></a>"
-        echo "| $image | [$model]($model.md) | $summary |"
+            image="<a href=\"$page\"><img src=\"images/$model.png\" width=\"320\" alt=\"$model\"></a>"
+        echo "| $image | [$model]($page) | $summary |"
     done
 }
 

@@ -187,7 +187,8 @@ brdf_status lab_plot_write(const char *path, const struct lab_plot_material *mat
     struct plot_layout layout;
     struct plot_file file;
     plot_job_prepare(&job);
-    brdf_status status = plot_layout_make(&job, &layout, error);
+    brdf_status status =
+        plot_layout_make(&job, plot_file_is_svg(path) ? 1.0 : settings->scale, &layout, error);
     if (!status) {
         status = plot_file_open(&file, path, layout.width, layout.height, settings->scale, error);
     }

@@ -51,7 +51,8 @@ struct lab_plot_settings {
     int logarithmic;          /* radius of lobes: 5 decades of f cos, instead of linear */
     int dark;                 /* light lines on dark ground */
     const char *title;        /* UTF-8; NULL or "" for none */
-    double width;             /* of the picture [points]; 0 for what the contents ask for */
+    double width; /* of the picture: pixels of a PNG, points of an SVG; 0 for what the contents ask
+                     for */
     double height;
     double scale; /* pixels for each point: of a PNG, and of the images within an SVG; 2 is sharp
                      on the screens of today */

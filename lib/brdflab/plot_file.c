@@ -25,6 +25,11 @@ static int suffix_of(const char *path)
     return -1;
 }
 
+int plot_file_is_svg(const char *path)
+{
+    return suffix_of(path) == 1;
+}
+
 brdf_status lab_plot_path_check(const char *path, struct brdf_error *error)
 {
     if (suffix_of(path) < 0) {
@@ -57,7 +62,7 @@ static void make_surface(struct plot_file *file, double width, double height, do
 brdf_status plot_file_open(struct plot_file *file, const char *path, double width, double height,
                            double scale, struct brdf_error *error)
 {
-    file->is_svg = suffix_of(path) == 1;
+    file->is_svg = plot_file_is_svg(path);
     file->surface = NULL;
     file->written = 0;
     file->error = error;

@@ -18,6 +18,9 @@ struct plot_file {
     struct brdf_error *error;
 };
 
+/* Is it to be an SVG, by its suffix? */
+int plot_file_is_svg(const char *path);
+
 /* Open a picture of so many points, `scale` pixels each for a PNG; ends with plot_file_close. The
    struct must stay where it is until then. */
 brdf_status plot_file_open(struct plot_file *file, const char *path, double width, double height,

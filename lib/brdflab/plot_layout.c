@@ -100,7 +100,7 @@ static brdf_status stretch(struct plot_layout *layout, double width, double heig
     return BRDF_OK;
 }
 
-brdf_status plot_layout_make(const struct plot_job *job, struct plot_layout *layout,
+brdf_status plot_layout_make(const struct plot_job *job, double unit, struct plot_layout *layout,
                              struct brdf_error *error)
 {
     const struct lab_plot_settings *settings = job->settings;
@@ -119,7 +119,7 @@ brdf_status plot_layout_make(const struct plot_job *job, struct plot_layout *lay
     }
     layout->legend = curves ? 24.0 : 0.0;
     arrange(job, layout);
-    return stretch(layout, settings->width, settings->height, error);
+    return stretch(layout, settings->width / unit, settings->height / unit, error);
 }
 
 double plot_layout_caption_y(const struct plot_layout *layout, const struct plot_job *job)

@@ -29,8 +29,9 @@ extern const double plot_margin;
 extern const double plot_gap;
 extern const double plot_row_title;
 
-/* Lay out a picture; BRDF_OUT_OF_RANGE where the size that is asked for has no room. */
-brdf_status plot_layout_make(const struct plot_job *job, struct plot_layout *layout,
+/* Lay out a picture, of which a point is `unit` units of the size that is asked for;
+ * BRDF_OUT_OF_RANGE where the size that is asked for has no room. */
+brdf_status plot_layout_make(const struct plot_job *job, double unit, struct plot_layout *layout,
                              struct brdf_error *error);
 
 /* Where the legend and the captions begin: one material's caption is above the legend. */
