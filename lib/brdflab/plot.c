@@ -101,7 +101,7 @@ static double draw_swatch(struct plot_canvas *canvas, double x, double y, struct
     return x + 20.0 + plot_text_width(canvas, plot_font_small(canvas), text) + 12.0;
 }
 
-static void draw_legend(struct plot_canvas *canvas, const struct plot_job *job, double y)
+static void draw_legend(struct plot_canvas *canvas, const struct plot_job *job, double y, int lines)
 {
     static const char *const channel[] = {"luminance", "red", "green", "blue"};
     const struct lab_plot_settings *settings = job->settings;
@@ -113,6 +113,10 @@ static void draw_legend(struct plot_canvas *canvas, const struct plot_job *job, 
     for (int i = 0; i < settings->angles; ++i) {
         snprintf(text, sizeof text, "%.3g\xc2\xb0", settings->angle[i] / degree);
         x = draw_swatch(canvas, x, y, plot_color_of(canvas->theme, i, settings->angles), 0.0, text);
+    }
+    if (lines > 1) {
+        x = plot_margin - 8.0;
+        y += 14.0;
     }
     if (job->anisotropic || settings->azimuth != 0.0) {
         snprintf(text, sizeof text, "\xcf\x86 = %.3g\xc2\xb0", settings->azimuth / degree);
@@ -143,7 +147,7 @@ static void draw_header(struct plot_canvas *canvas, const struct plot_layout *la
                    job->settings->title, 1);
     }
     if (layout->legend > 0.0) {
-        draw_legend(canvas, job, plot_layout_legend_y(layout, job) + 8.0);
+        draw_legend(canvas, job, plot_layout_legend_y(layout, job) + 8.0, layout->legend_lines);
     }
     double width = job->count > 1 ? layout->cell_width : layout->width - 2.0 * plot_margin;
     for (int m = 0; m < job->count; ++m) {

@@ -22,8 +22,8 @@
  *         share of the power that they take
  * SLICE   f [1/sr] over that angle, logarithmic
  * ALBEDO  the share of a beam's power that leaves again, over the angle at which it arrives
- * IMAGE   f over the half and the difference angle where phi_d = 90 degrees [Burley 2012, figure
- * 3], pi f tone mapped by L / (1 + L)
+ * IMAGE   f over the half and the difference angle where phi_d = 90 degrees [Burley 2012],
+ *         pi f tone mapped by L / (1 + L)
  */
 enum lab_panel {
     LAB_PANEL_SPHERE,

@@ -9,6 +9,7 @@ const double plot_gap = 20.0;
 const double plot_row_title = 18.0;
 
 static const double cell_width = 264.0;
+static const double single = 1.5; /* how much larger a panel is that stands alone */
 
 static double height_of(enum lab_panel panel, int transmits)
 {
@@ -62,7 +63,8 @@ static void arrange(const struct plot_job *job, struct plot_layout *layout)
     }
     for (int i = 0; i < settings->panels; ++i) {
         double *height = &layout->row_height[layout->place[i].row];
-        *height = fmax(*height, height_of(settings->panel[i], job->transmits));
+        double asked = height_of(settings->panel[i], job->transmits);
+        *height = fmax(*height, layout->columns > 1 ? asked : single * asked);
     }
 }
 
@@ -87,7 +89,8 @@ static brdf_status stretch(struct plot_layout *layout, double width, double heig
         layout->row_height[row] *= factor;
     }
     double gaps = 2.0 * plot_margin + (layout->columns - 1) * plot_gap;
-    layout->width = width > 0.0 ? width : gaps + layout->columns * cell_width;
+    double wide = layout->columns > 1 ? cell_width : single * cell_width;
+    layout->width = width > 0.0 ? width : gaps + layout->columns * wide;
     layout->cell_width = (layout->width - gaps) / layout->columns;
     if (layout->cell_width < 0.4 * cell_width || factor < 0.4) {
         return brdf_fail(error, BRDF_OUT_OF_RANGE,
@@ -117,8 +120,10 @@ brdf_status plot_layout_make(const struct plot_job *job, double unit, struct plo
                 fmax(layout->captions, strlen(settings_of) > 40 && job->count > 1 ? 44.0 : 34.0);
         }
     }
-    layout->legend = curves ? 24.0 : 0.0;
     arrange(job, layout);
+    /* In a narrow picture the planes have a line of their own. */
+    layout->legend_lines = !curves ? 0 : job->anisotropic && layout->columns < 2 ? 2 : 1;
+    layout->legend = curves ? 10.0 + 14.0 * layout->legend_lines : 0.0;
     return stretch(layout, settings->width / unit, settings->height / unit, error);
 }
 

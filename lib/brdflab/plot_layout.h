@@ -12,8 +12,9 @@
 struct plot_layout {
     double width, height; /* of the picture [points] */
     double title;         /* height of the title's line; 0 if there is none */
-    double legend;        /* of the legend's */
-    double captions;      /* of the columns' captions */
+    int legend_lines;
+    double legend;   /* of the legend */
+    double captions; /* of the columns' captions */
     struct {
         int row, column;
         int span;             /* columns */

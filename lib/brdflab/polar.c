@@ -68,11 +68,16 @@ static void draw_numbers(struct plot_canvas *canvas, const struct polar *polar, 
 {
     double value;
     double baseline = polar->centre.y + 11.0;
+    double free = -1e9; /* from where on there is room */
     for (int i = 0; plot_scale_tick(&polar->scale, i, &value); ++i) {
         char text[32];
         struct lab_point at = polar_at(polar, pi / 2.0, value);
         plot_scale_label(&polar->scale, value, text, sizeof text);
-        plot_text_haloed(canvas, at.x, baseline, 0.5, plot_font_small(canvas), text);
+        double half = 0.5 * plot_text_width(canvas, plot_font_small(canvas), text);
+        if (at.x - half > free) {
+            plot_text_haloed(canvas, at.x, baseline, 0.5, plot_font_small(canvas), text);
+            free = at.x + half + 4.0;
+        }
     }
     double below = polar->full ? polar->centre.y + 22.0 : polar->centre.y + 24.0;
     plot_text_haloed(canvas, polar->centre.x + polar->radius, below, 1.0, plot_font_label(canvas),
