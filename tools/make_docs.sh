@@ -3,12 +3,12 @@
 # picture of docs/plots.md.
 #
 #   tools/make_docs.sh [MODEL...]      all of docs/models/pictures.txt if none is named
+#   tools/make_docs.sh --pages         only pages and index, with the pictures that there are
 #
-# $BRDFCL is the command (build/brdfcl if not set), $SPP the samples for each pixel (512; with 0 the
-# spheres stay as they are). Each page has its pictures between two marks, and gets the marks after its
-# first paragraph if it has none yet. A model that the command does not have, or whose measured files
-# are not in $BRDFCL_DATA (../shared/data if not set), is left as it is, with a word. The same call
-# makes the same files.
+# $BRDFCL is the command (build/brdfcl if not set), $SPP the samples for each pixel (512). Each page has
+# its pictures between two marks, and gets the marks after its first paragraph if it has none yet. A
+# model that the command does not have, or whose measured files are not in $BRDFCL_DATA
+# (../shared/data if not set), is left as it is, with a word. The same call makes the same files.
 set -eu
 
 BRDFCL=${BRDFCL:-$(pwd)/build/brdfcl}
@@ -85,7 +85,7 @@ pictures() {
     done
     (
         cd "$work"
-        [ "$SPP" -eq 0 ] || "$BRDFCL" render scene.xml --quiet --spp "$SPP" -o "$docs/images/$model.png"
+        "$BRDFCL" render scene.xml --quiet --spp "$SPP" -o "$docs/images/$model.png"
         "$BRDFCL" plot "$@" --panels lobe,albedo --angles 0,30,60 -o lobe.svg
     )
     # A hundredth of a point is fine enough, and what goes without saying is left out: half the size.
@@ -160,18 +160,26 @@ index() {
     done
 }
 
+pages_only=
+if [ "${1:-}" = --pages ]; then
+    pages_only=yes
+    shift
+fi
 grep -v '^ *\(#\|$\)' "$docs/pictures.txt" >"$work/table"
 while IFS= read -r line; do
     model=$(settings "$line" 1)
     if [ $# -gt 0 ]; then
         case " $* " in *" $model "*) ;; *) continue ;; esac
     fi
-    have "$model" "$line" || continue
-    echo "$model"
-    pictures "$model" "$line" </dev/null
-    page "$model" "$line"
+    if [ -z "$pages_only" ]; then
+        have "$model" "$line" || continue
+        echo "$model"
+        pictures "$model" "$line" </dev/null
+    fi
+    [ ! -e "$docs/images/$model.png" ] || page "$model" "$line"
 done <"$work/table"
-[ $# -gt 0 ] || "$BRDFCL" plot --title 'What brdfcl plot shows' --size 1314x1000 --scale 1.5 \
-    roughconductor:material=Au,distribution=ggx,alpha_u=0.1,alpha_v=0.3 -o "$docs/../plots.png"
+[ $# -gt 0 ] || [ -n "$pages_only" ] || "$BRDFCL" plot --title 'What brdfcl plot shows' \
+    roughconductor:material=Au,distribution=ggx,alpha_u=0.1,alpha_v=0.3 \
+    --size 1314x1000 --scale 1.5 -o "$docs/../plots.png"
 index >"$work/README.md"
 cmp -s "$work/README.md" "$docs/README.md" || cp "$work/README.md" "$docs/README.md"
