@@ -36,8 +36,9 @@ struct pt_texture_found {
     struct pt_grain grain;
 };
 
-static inline struct pt_texture_found pt_texture_find(struct pt_world w, int number,
-                                                      struct pt_interaction at)
+/* Called, not inlined: a kernel asks for several textures, and a look-up is much code. */
+PT_OWN_FRAME struct pt_texture_found pt_texture_find(struct pt_world w, int number,
+                                                     struct pt_interaction at)
 {
     BRDF_GLOBAL const struct pt_texture *texture = pt_texture_at(w, number);
     BRDF_GLOBAL const float *m = texture->to_uv;
