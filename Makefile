@@ -148,6 +148,10 @@ bench: cli ## scalar C against OpenCL at every lane count
 bench-peers: cli ## the same scenes in Mitsuba 3, installed under build/, in turns with ours
 	BRDFCL=$(command) BUILD=$(BUILD) bench/peers.sh
 
+.PHONY: gallery
+gallery: cli ## render the figures of scenes/gallery into build/gallery
+	@BRDFCL=$(abspath $(command)) tools/make_gallery.sh $(BUILD)/gallery
+
 .PHONY: docs
 docs: cli ## render the pictures of docs/models, and write its index
 	@BRDFCL=$(abspath $(command)) tools/make_docs.sh

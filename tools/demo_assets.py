@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Make what scenes/demo.xml is made of: chess pieces and their board (PLY), and a photographer's
-studio (OpenEXR).
+studio (OpenEXR); and the vase of scenes/gallery.
 
 Run as `tools/demo_assets.py [FOLDER]` (default: scenes). Only Python's own library is needed; the
 files are in the repository, so this runs only when someone wants other ones.
@@ -110,6 +110,29 @@ def queen():
             arc(1.735, 0.066, 43, 180, 8),
         ]
     )
+
+
+def vase():
+    """Thrown on a wheel: belly, neck, lip, and the inside as far as one can look."""
+    return [
+        curve([(0, 0), (0.34, 0)], 1),
+        curve([(0.34, 0), (0.37, 0.03), (0.36, 0.07)], 3),
+        curve(
+            [
+                (0.36, 0.07),
+                (0.52, 0.30),
+                (0.66, 0.62),
+                (0.64, 0.92),
+                (0.46, 1.20),
+                (0.30, 1.42),
+                (0.28, 1.60),
+                (0.36, 1.78),
+            ],
+            6,
+        ),
+        curve([(0.36, 1.78), (0.375, 1.80), (0.355, 1.805)], 3),
+        curve([(0.355, 1.805), (0.27, 1.62), (0.28, 1.42), (0.42, 1.20)], 4),
+    ]
 
 
 def revolve(strokes):
@@ -277,6 +300,7 @@ def main():
     folder = sys.argv[1] if len(sys.argv) > 1 else "scenes"
     for name, piece in (("pawn", pawn), ("bishop", bishop), ("queen", queen)):
         write_ply(os.path.join(folder, name + ".ply"), *revolve(piece()))
+    write_ply(os.path.join(folder, "gallery", "vase.ply"), *revolve(vase()))
     for parity, name in enumerate(("squares_dark", "squares_light")):
         write_ply(os.path.join(folder, name + ".ply"), *board(parity))
     write_exr(os.path.join(folder, "studio.exr"), environment(512, 256))
