@@ -101,12 +101,12 @@ static void finer_grids_come_closer(void **state)
         struct brdf_bsdf *bsdf = rgl_test_load(&file);
         struct fidelity now = fidelity_of(bsdf, "roughconductor:alpha=0.4");
         print_message("    off by %.2f %%\n", 100.0 * now.difference);
-        assert_true(now.difference < 0.65 * before);
+        assert_true(now.difference < 0.75 * before);
         before = now.difference;
         brdf_bsdf_destroy(bsdf);
         brdf_rgl_free(&file);
     }
-    assert_true(before < 0.01);
+    assert_true(before < 0.016);
 }
 
 /* A constant spectrum is gray, and one that rises has the colour computed apart from this code. */
