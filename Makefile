@@ -14,6 +14,7 @@ AR = ar
 AWK = awk
 PKG_CONFIG = pkg-config
 CLANG_FORMAT = clang-format
+FUZZ_SECONDS = 600
 JOBS = $(shell nproc 2>/dev/null || echo 1)
 
 # CFLAGS, CPPFLAGS and LDFLAGS are yours to replace; what the answers depend on comes after them.
@@ -139,6 +140,10 @@ asan: ## the tests once more under the address and undefined-behaviour sanitizer
 .PHONY: clang
 clang: ## build everything with clang as well, warnings as errors
 	@$(again) all tests examples BUILD=$(BUILD)/clang CC=clang
+
+.PHONY: fuzz
+fuzz: ## feed the readers of measured files with damaged ones, FUZZ_SECONDS each; needs clang
+	@BUILD=$(BUILD) SECONDS_EACH=$(FUZZ_SECONDS) tools/fuzz.sh
 
 .PHONY: bench
 bench: cli ## scalar C against OpenCL at every lane count
@@ -286,7 +291,7 @@ uninstall: ## remove what install put there
 
 # --- Keeping house -----------------------------------------------------------------------------
 
-formatted := $(sort $(c_sources) $(c_headers) $(kernel_texts))
+formatted := $(sort $(c_sources) $(c_headers) $(kernel_texts) $(wildcard tests/fuzz/*.[ch]))
 
 .PHONY: format
 format: ## lay out the sources with clang-format
