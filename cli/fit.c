@@ -8,9 +8,11 @@
 
 #include "brdflab/fit.h"
 #include "brdflab/open.h"
+#include "brdflab/plot.h"
 #include "brdflab/scene_text.h"
 
 #include "commands.h"
+#include "fit_picture.h"
 #include "options.h"
 #include "say.h"
 #include "stop.h"
@@ -54,12 +56,24 @@ static void print_fit(const struct lab_fit_options *options, const struct lab_fi
                    fit->part_count, 0);
 }
 
-static brdf_status run(const char *what, struct lab_fit_options *options, struct brdf_error *error)
+/* What a plot calls the target: a file without its folder. */
+static const char *name_of(const char *what, enum lab_format format)
+{
+    const char *slash = format == LAB_FORMAT_NONE ? NULL : strrchr(what, '/');
+    return slash ? slash + 1 : what;
+}
+
+static brdf_status run(const char *what, struct lab_fit_options *options, const char *picture,
+                       struct brdf_error *error)
 {
     struct brdf_bsdf *target = NULL;
     struct lab_fit_result fit;
     int terminal = isatty(2);
-    brdf_status status = lab_open(what, &target, NULL, error);
+    enum lab_format format = LAB_FORMAT_NONE;
+    brdf_status status = picture ? lab_plot_path_check(picture, error) : BRDF_OK;
+    if (!status) {
+        status = lab_open(what, &target, &format, error);
+    }
     if (status) {
         return status;
     }
@@ -75,6 +89,9 @@ static brdf_status run(const char *what, struct lab_fit_options *options, struct
     if (!status) {
         print_fit(options, &fit);
     }
+    if (!status && picture) {
+        status = fit_picture_write(picture, target, name_of(what, format), &fit, error);
+    }
     lab_fit_free(&fit);
     brdf_bsdf_destroy(target);
     return status;
@@ -85,6 +102,7 @@ int command_fit(int argc, char **argv)
     struct lab_fit_options fit = lab_fit_defaults(NULL);
     int metric = (int)fit.metric;
     int seed = 0;
+    const char *picture = NULL;
     int evaluations = (int)fit.evaluations_max;
     const struct option options[] = {
         {"model", 'm', OPTION_TEXT, &fit.model, "MODEL", 0, 0,
@@ -101,6 +119,8 @@ int command_fit(int argc, char **argv)
         {"starts", 0, OPTION_INT, &fit.starts, "N", 1, 1000, "local searches; 8 if not given"},
         {"evaluations", 0, OPTION_INT, &evaluations, "N", 1, 1000000,
          "of the error in each, at most; 4000 if not given"},
+        {"output", 'o', OPTION_TEXT, &picture, "FILE", 0, 0,
+         "plot what was fitted and the fit, as .png or .svg"},
         {"seed", 0, OPTION_INT, &seed, "N", 0, 1e9, "where the starts begin"},
     };
     const struct usage usage = {
@@ -117,7 +137,7 @@ int command_fit(int argc, char **argv)
     fit.metric = (enum lab_fit_metric)metric;
     fit.seed = (unsigned)seed;
     fit.evaluations_max = (size_t)evaluations;
-    if (run(arguments.item[0], &fit, &error)) {
+    if (run(arguments.item[0], &fit, picture, &error)) {
         int signal = error.status == BRDF_CANCELLED ? stop_signal() : 0;
         return signal ? 128 + signal : say_error(&error);
     }

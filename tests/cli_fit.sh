@@ -19,6 +19,12 @@ says out '^part  *[0-9.]* of diffuse:reflectance='
 says out '<bsdf type="blendbsdf">'
 says out '<float name="weight" value="'
 
+last='fit -o'
+made=fit.svg
+expect 0 fit phong:exponent=20 --model blinnphong --starts 1 --evaluations 100 -o fit.svg
+says fit.svg '<svg'
+refused 1 'a .png or a .svg' fit diffuse --model ward -o fit.gif
+
 refused 2 'needs --model' fit diffuse
 refused 1 'did you mean .ward.' fit diffuse --model wrad
 refused 1 'nothing to search' fit diffuse --model diffuse:reflectance=0.5
