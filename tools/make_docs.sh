@@ -96,15 +96,15 @@ pictures() {
 
 # page_of MODEL: its page, seen from docs/models; measured ones have theirs among the formats.
 page_of() {
+    case $1 in
+    measured) [ ! -e "$docs/../rgl.md" ] || set -- rgl ;;
+    esac
     for page in "$1.md" "../$1.md"; do
         [ ! -e "$docs/$page" ] || {
             echo "$page"
-            return 0
+            break
         }
     done
-    case $1 in
-    measured) [ ! -e "$docs/../rgl.md" ] || echo ../rgl.md ;;
-    esac
 }
 
 # page MODEL LINE: put the pictures into its page.

@@ -7,7 +7,7 @@
 
 static const double degree = 3.14159265358979323846 / 180.0;
 
-enum { STEPS = 60, SAMPLES = 4096 };
+enum { STEPS = 90, SAMPLES = 16384 };
 
 static double channel_of(enum lab_channel channel, const double rgb[3])
 {
@@ -56,7 +56,7 @@ static void draw_average(struct plot_canvas *canvas, const struct plot_job *job,
 {
     enum lab_channel channel = job->settings->channel;
     struct lab_albedo albedo =
-        lab_albedo_average(job->materials[material].bsdf, 0, 16 * (size_t)SAMPLES);
+        lab_albedo_average(job->materials[material].bsdf, 0, 4 * (size_t)SAMPLES);
     char text[48];
     snprintf(text, sizeof text, "average %.3f",
              channel_of(channel, albedo.reflection) + channel_of(channel, albedo.transmission));
