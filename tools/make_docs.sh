@@ -91,7 +91,7 @@ pictures() {
     # A hundredth of a point is fine enough, and what goes without saying is left out: half the size.
     sed -e 's/\([0-9]\.[0-9][0-9]\)[0-9][0-9]*/\1/g' -e 's/fill-rule:nonzero;//g' \
         -e 's/\(fill\|stroke\)-opacity:1;//g' -e 's/stroke-linecap:butt;//g' \
-        "$work/lobe.svg" >"$docs/images/${model}_lobe.svg"
+        -e 's/\([0-9]\)\.[0-9]*%/\1%/g'         "$work/lobe.svg" >"$docs/images/${model}_lobe.svg"
 }
 
 # page_of MODEL: its page, seen from docs/models; measured ones have theirs among the formats.
