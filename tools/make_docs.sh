@@ -91,38 +91,21 @@ pictures() {
     # A hundredth of a point is fine enough, and what goes without saying is left out: half the size.
     sed -e 's/\([0-9]\.[0-9][0-9]\)[0-9][0-9]*/\1/g' -e 's/fill-rule:nonzero;//g' \
         -e 's/\(fill\|stroke\)-opacity:1;//g' -e 's/stroke-linecap:butt;//g' \
-        -e 's/\([0-9]\)\.[0-9]*%/\1%/g'         "$work/lobe.svg" >"$docs/images/${model}_lobe.svg"
-}
-
-# page_of MODEL: its page, seen from docs/models; measured ones have theirs among the formats.
-page_of() {
-    case $1 in
-    measured) [ ! -e "$docs/../rgl.md" ] || set -- rgl ;;
-    esac
-    for page in "$1.md" "../$1.md"; do
-        [ ! -e "$docs/$page" ] || {
-            echo "$page"
-            break
-        }
-    done
+        -e 's/\([0-9]\)\.[0-9]*%/\1%/g' \
+        "$work/lobe.svg" >"$docs/images/${model}_lobe.svg"
 }
 
 # page MODEL LINE: put the pictures into its page.
 page() {
-    page=$(page_of "$1")
-    [ -n "$page" ] || {
+    [ -e "$docs/$1.md" ] || {
         echo "$1: has no page" >&2
         return 0
     }
-    case $page in
-    ../*) images=models/images ;;
-    *) images=images ;;
-    esac
     {
-        printf '%s\n\n![%s on three spheres](%s/%s.png)\n\n' "$begin" "$1" "$images" "$1"
+        printf '%s\n\n![%s on three spheres](images/%s.png)\n\n' "$begin" "$1" "$1"
         echo "$2" | cut -d'|' -f2- |
             sed -e 's/^ */From left to right: `/' -e 's/ *| */`, `/g' -e 's/$/`./' -e 's/`-`/as initially/g'
-        printf '\n![Lobes and albedo of %s](%s/%s_lobe.svg)\n\n%s\n' "$1" "$images" "$1" "$end"
+        printf '\n![Lobes and albedo of %s](images/%s_lobe.svg)\n\n%s\n' "$1" "$1" "$end"
     } >"$work/block"
     awk -v begin="$begin" -v end="$end" -v block="$work/block" '
         function put(   line) {
@@ -139,8 +122,8 @@ page() {
                 text = text || (i > 1 && lines[i] != "" && lines[i] !~ /^#/)
                 if (!marked && !done && text && lines[i + 1] == "") { print ""; put() }
             }
-        }' "$docs/$page" >"$work/page"
-    cmp -s "$work/page" "$docs/$page" || cp "$work/page" "$docs/$page"
+        }' "$docs/$1.md" >"$work/page"
+    cmp -s "$work/page" "$docs/$1.md" || cp "$work/page" "$docs/$1.md"
 }
 
 # index: a table of all models that have a page.
@@ -150,13 +133,12 @@ index() {
     printf 'are made by `make docs`.\n\n| | model | |\n|---|---|---|\n'
     grep -v '^ *\(#\|$\)' "$docs/pictures.txt" | while IFS='|' read -r model rest; do
         model=$(echo $model)
-        page=$(page_of "$model")
-        [ -n "$page" ] || continue
+        [ -e "$docs/$model.md" ] || continue
         summary=$("$BRDFCL" models "$model" | sed -n "1s/^$model: //p")
         image=
         [ ! -e "$docs/images/$model.png" ] ||
-            image="<a href=\"$page\"><img src=\"images/$model.png\" width=\"320\" alt=\"$model\"></a>"
-        echo "| $image | [$model]($page) | $summary |"
+            image="<a href=\"$model.md\"><img src=\"images/$model.png\" width=\"320\" alt=\"$model\"></a>"
+        echo "| $image | [$model]($model.md) | $summary |"
     done
 }
 
@@ -171,14 +153,14 @@ while IFS= read -r line; do
     if [ $# -gt 0 ]; then
         case " $* " in *" $model "*) ;; *) continue ;; esac
     fi
-    if [ -z "$pages_only" ]; then
+    if [ -z "$model.mds_only" ]; then
         have "$model" "$line" || continue
         echo "$model"
         pictures "$model" "$line" </dev/null
     fi
     [ ! -e "$docs/images/$model.png" ] || page "$model" "$line"
 done <"$work/table"
-[ $# -gt 0 ] || [ -n "$pages_only" ] || "$BRDFCL" plot --title 'What brdfcl plot shows' \
+[ $# -gt 0 ] || [ -n "$model.mds_only" ] || "$BRDFCL" plot --title 'What brdfcl plot shows' \
     roughconductor:material=Au,distribution=ggx,alpha_u=0.1,alpha_v=0.3 \
     --size 1314x1000 --scale 1.5 -o "$docs/../plots.png"
 index >"$work/README.md"
