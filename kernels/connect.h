@@ -15,8 +15,8 @@ static inline void pt_connect_packet(struct pt_world w, int packet)
     brdf_int place = packet * BRDF_LANES + brdf_lane_numbers();
     brdf_mask used = place < w.queues[PT_SHADOWS];
     brdf_int record = brdf_pick_int(used, place, settings->pool) * PT_SHADOW_WORDS;
-    struct pt_quad origin = pt_load_quad(w.shadows + PT_SHADOW_ORIGIN, record);
-    struct pt_quad direction = pt_load_quad(w.shadows + PT_SHADOW_DIRECTION, record);
+    struct brdf_quad origin = brdf_gather_quad(w.shadows + PT_SHADOW_ORIGIN, record);
+    struct brdf_quad direction = brdf_gather_quad(w.shadows + PT_SHADOW_DIRECTION, record);
     struct pt_ray ray;
     ray.o = pt_quad_vec3(origin);
     ray.d = pt_quad_vec3(direction);
@@ -26,7 +26,7 @@ static inline void pt_connect_packet(struct pt_world w, int packet)
         nearest = brdf_min(nearest, pt_ready_distance(ready, ray).t);
         ready += PT_ROW;
     }
-    struct pt_quad radiance = pt_load_quad(w.shadows + PT_SHADOW_RADIANCE, record);
+    struct brdf_quad radiance = brdf_gather_quad(w.shadows + PT_SHADOW_RADIANCE, record);
     brdf_mask arrives = used & (nearest >= origin.d);
     brdf_int path = brdf_pick_int(arrives, brdf_bits(direction.d), settings->pool);
     pt_add_radiance(w, path, pt_quad_rgb(radiance));

@@ -70,7 +70,7 @@ static inline brdf_rgb pt_map_pixel(struct pt_world w, brdf_int column, brdf_int
 {
     BRDF_GLOBAL const struct pt_settings *settings = w.settings;
     brdf_int pixel = row * settings->environment_width + column;
-    return pt_quad_rgb(pt_load_quad(w.scene + settings->environment_texels, pixel * 4));
+    return pt_quad_rgb(brdf_gather_quad(w.scene + settings->environment_texels, pixel * 4));
 }
 
 static inline brdf_rgb pt_map_radiance(struct pt_world w, struct pt_map_place place)

@@ -46,8 +46,8 @@ static inline void pt_extend_packet(struct pt_world w, int packet, int depth)
     brdf_int path = pt_queue_paths(w, queue, packet, w.queues[PT_ACTIVE + (depth & 1)]);
     brdf_int record = path * PT_PATH_WORDS;
     struct pt_ray ray;
-    ray.o = pt_quad_vec3(pt_load_quad(w.paths + PT_PATH_ORIGIN, record));
-    ray.d = pt_quad_vec3(pt_load_quad(w.paths + PT_PATH_DIRECTION, record));
+    ray.o = pt_quad_vec3(brdf_gather_quad(w.paths + PT_PATH_ORIGIN, record));
+    ray.d = pt_quad_vec3(brdf_gather_quad(w.paths + PT_PATH_DIRECTION, record));
 
     brdf_real t = PT_MISS_T;
     brdf_real u = 0.0f;
@@ -65,7 +65,8 @@ static inline void pt_extend_packet(struct pt_world w, int packet, int depth)
         key = brdf_pick_int(nearer, pt_int_bits(ready[PT_READY_SURFACE]), key);
         ready += PT_ROW;
     }
-    pt_store_quad(w.paths + PT_PATH_HIT_T, record, pt_quad_make(t, u, v, brdf_from_bits(nearest)));
+    pt_store_quad(w.paths + PT_PATH_HIT_T, record,
+                  brdf_quad_make(t, u, v, brdf_from_bits(nearest)));
     pt_store_ints(w.queues + settings->keys + packet * BRDF_LANES, key);
 }
 

@@ -59,8 +59,8 @@ static inline void pt_generate(struct pt_world w, struct pt_pass pass, int packe
     brdf_int record = path * PT_PATH_WORDS;
     pt_store_quad(w.paths + PT_PATH_ORIGIN, record, pt_quad_of_vec3(o, -1.0f));
     pt_store_quad(w.paths + PT_PATH_DIRECTION, record, pt_quad_of_vec3(brdf_normalize(d), 1.0f));
-    pt_store_quad(w.paths + PT_PATH_THROUGHPUT, record, pt_quad_make(1.0f, 1.0f, 1.0f, 0.0f));
-    pt_store_quad(w.radiance, path * 4, pt_quad_make(0.0f, 0.0f, 0.0f, 0.0f));
+    pt_store_quad(w.paths + PT_PATH_THROUGHPUT, record, brdf_quad_make(1.0f, 1.0f, 1.0f, 0.0f));
+    pt_store_quad(w.radiance, path * 4, brdf_quad_make(0.0f, 0.0f, 0.0f, 0.0f));
 }
 
 #endif

@@ -85,7 +85,7 @@ static inline brdf_real pt_turns(brdf_real angle)
 /* Texture coordinates, as in Mitsuba 3: of a mesh those of its file or else (u, v) of the triangle;
    of a rectangle (u, v); of a disk radius and turns; of a sphere turns and polar angle / pi. */
 static inline struct pt_interaction pt_find_uv(struct pt_world w, struct pt_primitive primitive,
-                                               struct pt_quad hit, struct pt_interaction at)
+                                               struct brdf_quad hit, struct pt_interaction at)
 {
     BRDF_GLOBAL const struct pt_settings *settings = w.settings;
     brdf_real radius = sqrtf(hit.b * hit.b + hit.c * hit.c);
@@ -117,7 +117,7 @@ static inline struct pt_interaction pt_find_uv(struct pt_world w, struct pt_prim
 }
 
 static inline struct pt_interaction pt_interact(struct pt_world w, struct pt_primitive primitive,
-                                                struct pt_ray ray, struct pt_quad hit)
+                                                struct pt_ray ray, struct brdf_quad hit)
 {
     BRDF_GLOBAL const struct pt_settings *settings = w.settings;
     struct pt_interaction at;

@@ -8,9 +8,9 @@
 
 struct pt_meeting {
     struct pt_ray ray;
-    struct pt_quad hit; /* distance, two coordinates, the primitive's number */
-    brdf_real pdf;      /* PT_PATH_PDF */
-    brdf_real eta;      /* PT_PATH_ETA */
+    struct brdf_quad hit; /* distance, two coordinates, the primitive's number */
+    brdf_real pdf;        /* PT_PATH_PDF */
+    brdf_real eta;        /* PT_PATH_ETA */
     brdf_rgb throughput;
     struct pt_primitive primitive;
     struct pt_interaction at;
@@ -21,10 +21,10 @@ static inline struct pt_meeting pt_meet(struct pt_world w, brdf_int path, brdf_m
 {
     struct pt_meeting m;
     brdf_int record = path * PT_PATH_WORDS;
-    struct pt_quad origin = pt_load_quad(w.paths + PT_PATH_ORIGIN, record);
-    struct pt_quad direction = pt_load_quad(w.paths + PT_PATH_DIRECTION, record);
-    m.hit = pt_load_quad(w.paths + PT_PATH_HIT_T, record);
-    m.throughput = pt_quad_rgb(pt_load_quad(w.paths + PT_PATH_THROUGHPUT, record));
+    struct brdf_quad origin = brdf_gather_quad(w.paths + PT_PATH_ORIGIN, record);
+    struct brdf_quad direction = brdf_gather_quad(w.paths + PT_PATH_DIRECTION, record);
+    m.hit = brdf_gather_quad(w.paths + PT_PATH_HIT_T, record);
+    m.throughput = pt_quad_rgb(brdf_gather_quad(w.paths + PT_PATH_THROUGHPUT, record));
     m.ray.o = pt_quad_vec3(origin);
     m.ray.d = pt_quad_vec3(direction);
     m.pdf = origin.d;

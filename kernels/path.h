@@ -196,9 +196,10 @@ static inline struct pt_random pt_path_random(struct pt_world w, struct pt_pass 
  */
 static inline void pt_add_radiance(struct pt_world w, brdf_int path, brdf_rgb radiance)
 {
-    struct pt_quad sum = pt_load_quad(w.radiance, path * 4);
-    pt_store_quad(w.radiance, path * 4,
-                  pt_quad_make(sum.a + radiance.r, sum.b + radiance.g, sum.c + radiance.b, sum.d));
+    struct brdf_quad sum = brdf_gather_quad(w.radiance, path * 4);
+    pt_store_quad(
+        w.radiance, path * 4,
+        brdf_quad_make(sum.a + radiance.r, sum.b + radiance.g, sum.c + radiance.b, sum.d));
 }
 
 /* MIS weight of a sample of density a against density b, power heuristic [Veach 1997, 9.2.4]. */

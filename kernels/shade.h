@@ -119,9 +119,9 @@ static inline void pt_shade_missed(struct pt_world w, int packet)
 {
     brdf_int path = pt_load_ints(w.queues + w.settings->packet_paths + packet * BRDF_LANES);
     brdf_int record = path * PT_PATH_WORDS;
-    struct pt_quad origin = pt_load_quad(w.paths + PT_PATH_ORIGIN, record);
-    struct pt_quad direction = pt_load_quad(w.paths + PT_PATH_DIRECTION, record);
-    struct pt_quad throughput = pt_load_quad(w.paths + PT_PATH_THROUGHPUT, record);
+    struct brdf_quad origin = brdf_gather_quad(w.paths + PT_PATH_ORIGIN, record);
+    struct brdf_quad direction = brdf_gather_quad(w.paths + PT_PATH_DIRECTION, record);
+    struct brdf_quad throughput = brdf_gather_quad(w.paths + PT_PATH_THROUGHPUT, record);
     brdf_real light_pdf;
     brdf_rgb radiance = pt_environment_radiance(w, pt_quad_vec3(direction), &light_pdf);
     brdf_real weight = brdf_pick(origin.d < 0.0f, 1.0f, pt_mis(origin.d, light_pdf));

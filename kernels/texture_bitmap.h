@@ -63,7 +63,7 @@ static inline brdf_rgb pt_texel(struct pt_world w, BRDF_GLOBAL const struct pt_t
     BRDF_GLOBAL const float *texels = w.scene + texture->texels;
     brdf_int number = y * texture->width + x;
     if (PT_HAS(w.settings, PT_HAS_FLOAT_TEXELS) && texture->decode < 0) {
-        return pt_quad_rgb(pt_load_quad(texels, number * 4));
+        return pt_quad_rgb(brdf_gather_quad(texels, number * 4));
     }
     BRDF_GLOBAL const float *values = w.scene + texture->decode;
     brdf_int codes = brdf_bits(brdf_gather(texels, number));

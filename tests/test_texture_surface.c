@@ -32,7 +32,7 @@ static struct pt_interaction meet(const struct stage *stage, const double from[3
         }
     }
     assert_true(nearest >= 0);
-    struct pt_quad hit = pt_quad_make(best.t, best.u, best.v, brdf_from_bits(nearest));
+    struct brdf_quad hit = brdf_quad_make(best.t, best.u, best.v, brdf_from_bits(nearest));
     return pt_interact(stage->w, pt_load_primitive(stage->w, nearest), ray, hit);
 }
 

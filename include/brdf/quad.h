@@ -18,16 +18,21 @@ struct brdf_quad {
     brdf_real d;
 };
 
+static inline struct brdf_quad brdf_quad_make(brdf_real a, brdf_real b, brdf_real c, brdf_real d)
+{
+    struct brdf_quad q;
+    q.a = a;
+    q.b = b;
+    q.c = c;
+    q.d = d;
+    return q;
+}
+
 #if BRDF_LANES == 1
 
 static inline struct brdf_quad brdf_gather_quad(BRDF_GLOBAL const float *table, brdf_int index)
 {
-    struct brdf_quad q;
-    q.a = table[index];
-    q.b = table[index + 1];
-    q.c = table[index + 2];
-    q.d = table[index + 3];
-    return q;
+    return brdf_quad_make(table[index], table[index + 1], table[index + 2], table[index + 3]);
 }
 
 #else
@@ -70,27 +75,32 @@ static inline struct brdf_quad brdf_gather_quad(BRDF_GLOBAL const float *table, 
     BRDF_SHUFFLE(p, q, 2, 3, 18, 19, 6, 7, 22, 23, 10, 11, 26, 27, 14, 15, 30, 31)
 #endif
 
+/* Transpose the 4 x 4 blocks of four vectors; its own inverse. */
+static inline struct brdf_quad brdf_quad_transpose(struct brdf_quad q)
+{
+    brdf_real ab_low = BRDF_ZIP_LOW(q.a, q.b);
+    brdf_real cd_low = BRDF_ZIP_LOW(q.c, q.d);
+    brdf_real ab_high = BRDF_ZIP_HIGH(q.a, q.b);
+    brdf_real cd_high = BRDF_ZIP_HIGH(q.c, q.d);
+    return brdf_quad_make(BRDF_LOW_PAIRS(ab_low, cd_low), BRDF_HIGH_PAIRS(ab_low, cd_low),
+                          BRDF_LOW_PAIRS(ab_high, cd_high), BRDF_HIGH_PAIRS(ab_high, cd_high));
+}
+
 /* Four floats anywhere. (PoCL makes two loads of vload4.) */
 typedef float4 brdf_four_floats __attribute__((aligned(4)));
 
+/*
+ * Several quads of one record: move `table`, not `index`, so that the lanes of the index are taken
+ * apart only once. An index is not negative.
+ */
 static inline struct brdf_quad brdf_gather_quad(BRDF_GLOBAL const float *table, brdf_int index)
 {
 #define BRDF_LANE(k) *(BRDF_GLOBAL const brdf_four_floats *)(table + as_uint(index.s##k))
-    brdf_real row0 = BRDF_BESIDE(BRDF_LANE, 0, 4, 8, c);
-    brdf_real row1 = BRDF_BESIDE(BRDF_LANE, 1, 5, 9, d);
-    brdf_real row2 = BRDF_BESIDE(BRDF_LANE, 2, 6, a, e);
-    brdf_real row3 = BRDF_BESIDE(BRDF_LANE, 3, 7, b, f);
+    struct brdf_quad rows =
+        brdf_quad_make(BRDF_BESIDE(BRDF_LANE, 0, 4, 8, c), BRDF_BESIDE(BRDF_LANE, 1, 5, 9, d),
+                       BRDF_BESIDE(BRDF_LANE, 2, 6, a, e), BRDF_BESIDE(BRDF_LANE, 3, 7, b, f));
 #undef BRDF_LANE
-    brdf_real low01 = BRDF_ZIP_LOW(row0, row1);
-    brdf_real low23 = BRDF_ZIP_LOW(row2, row3);
-    brdf_real high01 = BRDF_ZIP_HIGH(row0, row1);
-    brdf_real high23 = BRDF_ZIP_HIGH(row2, row3);
-    struct brdf_quad q;
-    q.a = BRDF_LOW_PAIRS(low01, low23);
-    q.b = BRDF_HIGH_PAIRS(low01, low23);
-    q.c = BRDF_LOW_PAIRS(high01, high23);
-    q.d = BRDF_HIGH_PAIRS(high01, high23);
-    return q;
+    return brdf_quad_transpose(rows);
 }
 
 #endif
