@@ -99,7 +99,7 @@ again = $(MAKE) --no-print-directory $(if $(findstring jobserver,$(MAKEFLAGS)),,
 .PHONY: help
 help: ## print this list
 	@echo "make TARGET, one of"
-	@$(AWK) -F ':.*## ' '/^[a-z-]+:.*## / { printf "  %-14s %s\n", $$1, $$2 }' Makefile
+	@$(AWK) -F ':.*## ' '/^[a-z-]+:.*## / { printf "  %-16s %s\n", $$1, $$2 }' Makefile
 	@echo "BUILD=$(BUILD) PREFIX=$(PREFIX) CC=$(CC) CFLAGS=\"$(CFLAGS)\" WERROR=$(WERROR) JOBS=$(JOBS)"
 
 .PHONY: demo
@@ -160,6 +160,10 @@ gallery: cli ## render the figures of scenes/gallery into build/gallery
 .PHONY: docs
 docs: cli ## render the pictures of docs/models, and write its index
 	@BRDFCL=$(abspath $(command)) tools/make_docs.sh
+
+.PHONY: compare-mitsuba
+compare-mitsuba: cli ## f, pdf and albedo of every model that Mitsuba 3 has too, value by value
+	BRDFCL=$(command) BUILD=$(BUILD) SCRIPT=compare.py bench/peers.sh
 
 .PHONY: run-demo
 run-demo: cli

@@ -2,6 +2,7 @@
 # peers.sh - the same scenes in Mitsuba 3 and in brdfcl, in turns, with their pictures compared.
 #
 #   bench/peers.sh [--rounds N] [--spp N] [--json FILE] [SCENE.xml]...      (default: scenes/cornell.xml)
+#   SCRIPT=compare.py bench/peers.sh [--pairs N] [--worst] [ROW]...         models, value by value
 #
 # Mitsuba comes from PyPI into a virtual environment under $BUILD/peers; nothing else of Python is
 # touched. It needs LLVM as a shared library: $DRJIT_LIBLLVM_PATH, or else version 19, which is
@@ -52,4 +53,4 @@ if [ ! -f "$venv/complete" ]; then
     : >"$venv/complete"
 fi
 
-exec "$venv/bin/python" "$(dirname "$0")/peers.py" "$@"
+exec "$venv/bin/python" "$(dirname "$0")/${SCRIPT:-peers.py}" "$@"

@@ -4,7 +4,8 @@
  * The sphere is cut into cells that follow a pilot of the samples themselves (sphere.h), so that
  * narrow lobes are resolved as well as wide ones; pdf is integrated over each cell by adaptive
  * quadrature, and Pearson's test compares with other samples. Where the quadrature does not
- * converge (lobes a few arc seconds wide), nothing can be told, and the verdict says so.
+ * converge (lobes a few arc seconds wide), or depends on the cells (ridges hundreds of times
+ * longer than wide), nothing can be told, and the verdict says so.
  */
 #ifndef BRDFLAB_DENSITY_H
 #define BRDFLAB_DENSITY_H
@@ -24,6 +25,7 @@ brdf_vec3 lab_view_direction(int number);
 struct lab_density {
     struct lab_finding mass; /* |integral of pdf - chance of a sample|, up to 2e-3 */
     struct lab_finding chi2; /* p of Pearson's test, at least the limit given */
+    double departure;        /* chi2 beyond its degrees of freedom, its expectation */
 };
 
 /*
