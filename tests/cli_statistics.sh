@@ -1,5 +1,5 @@
 #!/bin/sh
-# cli_statistics.sh - the commands that measure and test materials: brdfcl eval in bulk, albedo, test.
+# cli_statistics.sh - the commands that measure and test materials: brdfcl eval in bulk, albedo, test, bench --variance.
 set -eu
 
 . "$(dirname "$0")/support_cli"
@@ -106,5 +106,15 @@ refused 2 'one material' test diffuse phong
 refused 1 "did you mean 'phong'" test --all phnog
 refused 1 'no model is called' test nothing
 refused 1 'from 10000' test diffuse --samples 1
+
+# --- bench --variance ------------------------------------------------------------------------------
+
+last='bench --variance'
+expect 0 bench diffuse conductor --variance --count 16384 --json bench.json
+says out '^diffuse  *0.50000 .* 0.0'
+says out '^conductor  *0.686.* - '
+says bench.json '"relative_variance_cosine": null'
+holds 'not valid JSON' valid_json bench.json
+rm bench.json
 
 finish
