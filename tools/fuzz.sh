@@ -28,7 +28,7 @@ for name in "$@"; do
     "$CLANG" -std=c99 -O1 -g -ffp-contract=off -fsanitize=fuzzer,address,undefined \
         -fno-sanitize-recover=undefined -Iinclude -Ilib/brdf -I. \
         "tests/fuzz/fuzz_$name.c" lib/brdf/*.c "$BUILD/embedded_brdf.c" -lm -o "$program"
-    "$program" -max_total_time="$SECONDS_EACH" -max_len=16384 -rss_limit_mb=2048 -timeout=20 \
+    "$program" -max_total_time="$SECONDS_EACH" -max_len=16384 -rss_limit_mb=2048 -timeout=60 \
         -print_final_stats=1 -verbosity=0 -artifact_prefix="$BUILD/fuzz/$name-" \
         "$corpus" "tests/fuzz/$name"
 done
