@@ -66,31 +66,28 @@ def visibility(distribution, masking, alpha, mu, iz, lean, oh, hz):
     return 1 / (mu * ai + iz * ao - mu * iz) if masking == "correlated" else 1 / (ao * ai)
 
 
-def albedo(distribution, masking, alpha, cosines, rings, spokes, reflected=None, passed=None,
-           eta=1.5):
-    """What one facet sends on, of light under each cosine.
+def albedo(distribution, masking, alpha, cosines, rings, spokes, eta=None):
+    """What one facet sends on of light under each cosine: reflected, and let through.
 
-    reflected and passed are the factors of F and of 1 - F; without both, F is 1.
+    eta is the index of the far side over that of the near side; None stands for mirrors.
     """
     hx, hy, hz, weight = normals(distribution, alpha, rings, spokes)
-    result = np.zeros(len(cosines))
+    result = np.zeros((2, len(cosines)))
     for i, mu in enumerate(cosines):
         sine = sqrt(max(1 - mu * mu, 0))
         oh = sine * hx + mu * hz
-        f, cos_t = fresnel(np.maximum(oh, 0), eta)
-        mirror = (1.0 if reflected is None and passed is None else f * (reflected or 0),
-                  2 * oh * hx - sine, 2 * oh * hz - mu)
-        along = oh / eta - cos_t
-        through = ((1 - f) * (passed or 0), along * hx - sine / eta, mu / eta - along * hz)
-        for k, (factor, x, z) in enumerate((mirror, through)):
-            if k == 1 and not passed:
-                break
+        arms = [(1.0, 2 * oh * hx - sine, 2 * oh * hy, 2 * oh * hz - mu)]
+        if eta is not None:
+            f, cos_t = fresnel(np.maximum(oh, 0), eta)
+            along = oh / eta - cos_t
+            arms = [(f,) + arms[0][1:],
+                    (1 - f, along * hx - sine / eta, along * hy, mu / eta - along * hz)]
+        for k, (factor, x, y, z) in enumerate(arms):
             good = (oh > 0) & (z > 0)
             iz = np.where(good, z, 1.0)
-            y2 = ((2 * oh if k == 0 else along) * hy) ** 2
-            seen = visibility(distribution, masking, alpha, mu, iz, x * x + y2,
-                              np.where(good, oh, 1.0), hz) * iz
-            result[i] += np.sum(np.where(good, weight * factor * oh / hz * seen, 0))
+            seen = iz * visibility(distribution, masking, alpha, mu, iz, x * x + y * y,
+                                   np.where(good, oh, 1.0), hz)
+            result[k, i] = np.sum(np.where(good, weight * factor * oh / hz * seen, 0))
     return result
 
 

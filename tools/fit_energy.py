@@ -47,7 +47,7 @@ def loss_fit(distribution, masking):
         a = 4 * alpha**2
         x = np.clip(nodes(26), 1e-4, 1)
         mu.append(np.minimum(x * np.sqrt(a / (1 + a - x * x)), 1))
-        value.append(1 - albedo(distribution, masking, alpha, mu[-1], 200, 120))
+        value.append(1 - albedo(distribution, masking, alpha, mu[-1], 200, 120)[0])
     alpha = np.repeat(alphas, len(mu[0]))
     mu, value = np.concatenate(mu), np.concatenate(value)
     x, decay = place(mu, alpha)
