@@ -15,7 +15,7 @@ from numpy.polynomial.chebyshev import cheb2poly, chebvander
 from numpy.polynomial.legendre import leggauss
 
 T_LOW, T_HIGH = 1 / 21, 3 / 7  # (eta - 1) / (eta + 1) of eta = 1.1 and 2.5
-DEGREE_T = (8, 12, 4)  # in x, y, z; terms with i / 8 + j / 12 + k / 4 <= 1.5
+DEGREE_T = (10, 14, 5)  # in x, y, z; terms with i / 10 + j / 14 + k / 5 <= 1.5
 DEGREE_K = (8, 4)
 ERF_PLACES = np.linspace(0, 6, 60001)
 ERF_VALUES = np.vectorize(erf)(ERF_PLACES)
@@ -112,11 +112,11 @@ def monomials(grid):
 
 def row_length(i, k):
     """How many powers of y go with x^i z^k; coating.h has the same rule."""
-    return max(min(12, (36 - 3 * i - 6 * k) // 2) + 1, 0)
+    return max(min(14, (105 - 7 * i - 14 * k) // 5) + 1, 0)
 
 
 def fit_transmittance(ggx):
-    x, y, z = np.meshgrid(unit_nodes(15), unit_nodes(24), unit_nodes(7), indexing="ij")
+    x, y, z = np.meshgrid(unit_nodes(17), unit_nodes(26), unit_nodes(8), indexing="ij")
     alpha = np.maximum(2 * y * y, 1e-4)
     t = (sqrt(T_LOW) + (sqrt(T_HIGH) - sqrt(T_LOW)) * z) ** 2
     eta = (1 + t) / (1 - t)
@@ -125,10 +125,10 @@ def fit_transmittance(ggx):
     value = np.empty_like(x)
     for j in range(x.shape[1]):
         for k in range(x.shape[2]):
-            value[:, j, k] = albedo(ggx, alpha[0, j, k], eta[0, j, k], mu[:, j, k], True, 32, 20)
+            value[:, j, k] = albedo(ggx, alpha[0, j, k], eta[0, j, k], mu[:, j, k], True, 48, 32)
     mean_cos = np.sqrt((mu**2 + 3 * alpha**2) / (1 + 3 * alpha**2))
     factor = 1 - fresnel(mean_cos, eta)[0]
-    terms = [(i, j, k) for i in range(9) for k in range(5) for j in range(row_length(i, k))]
+    terms = [(i, j, k) for i in range(11) for k in range(6) for j in range(row_length(i, k))]
     v = [chebvander(2 * q.ravel() - 1, n) for q, n in zip((x, y, z), DEGREE_T)]
     matrix = np.stack([v[0][:, i] * v[1][:, j] * v[2][:, k] for i, j, k in terms], 1)
     worst, rms, c = fit(matrix * factor.ravel()[:, None], value.ravel(), 5)

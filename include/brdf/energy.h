@@ -126,22 +126,22 @@ static inline brdf_real brdf_energy_lobe(struct brdf_energy energy, brdf_real lo
 
 /*
  * A direction around +z with about the density of the lobe, mu / (mu^2 + a) up to a constant, so
- * that weights stay bounded: the square of its cosine is a ((1 + 1 / a)^u - 1).
+ * that weights stay bounded: the square of its cosine is a ((1 + 1 / a)^u - 1). `spread` is a.
  */
-static inline brdf_vec3 brdf_energy_sample(struct brdf_energy energy, brdf_real u, brdf_real v)
+static inline brdf_vec3 brdf_energy_sample(brdf_real spread, brdf_real u, brdf_real v)
 {
-    brdf_real rise = brdf_exp(u * brdf_log(1.0f + 1.0f / energy.spread)) - 1.0f;
-    brdf_real mu2 = brdf_clamp(energy.spread * rise, 0.0f, 1.0f);
+    brdf_real rise = brdf_exp(u * brdf_log(1.0f + 1.0f / spread)) - 1.0f;
+    brdf_real mu2 = brdf_clamp(spread * rise, 0.0f, 1.0f);
     brdf_real radius = sqrtf(1.0f - mu2);
     struct brdf_sincos turn = brdf_sincos_2pi(v);
     return brdf_vec3_make(radius * turn.cos, radius * turn.sin, sqrtf(mu2));
 }
 
 /* Its density [1/sr]. */
-static inline brdf_real brdf_energy_pdf(struct brdf_energy energy, brdf_real mu)
+static inline brdf_real brdf_energy_pdf(brdf_real spread, brdf_real mu)
 {
-    brdf_real scale = brdf_log(1.0f + 1.0f / energy.spread);
-    return mu * BRDF_1_PI / ((mu * mu + energy.spread) * scale);
+    brdf_real scale = brdf_log(1.0f + 1.0f / spread);
+    return mu * BRDF_1_PI / ((mu * mu + spread) * scale);
 }
 
 #endif

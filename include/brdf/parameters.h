@@ -55,6 +55,7 @@
 #define BRDF_DELTA 4u       /* has delta lobes only: eval and pdf are 0 */
 #define BRDF_ANISOTROPIC 8u /* can depend on the azimuth of wo */
 #define BRDF_TABULATED 16u  /* reads a table made from a FILE */
+#define BRDF_COMPUTED 64u   /* has options for which libbrdf computes its table */
 #define BRDF_RECIPROCAL 32u /* f(wo, wi) = f(wi, wo), for transmission f / eta^2 */
 
 #endif

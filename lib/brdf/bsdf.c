@@ -50,6 +50,9 @@ brdf_status brdf_bsdf_build(const char *model, const struct brdf_setting *settin
     if (!status && bsdf->file[0]) {
         status = brdf_table_load(info, bsdf->file, &bsdf->table, &bsdf->table_words, error);
     }
+    if (!status && info->flags & BRDF_COMPUTED) {
+        status = brdf_table_compute(&bsdf->material, &bsdf->table, &bsdf->table_words, error);
+    }
     if (!status) {
         bsdf->parameters =
             brdf_parameters_load(bsdf->material.model, bsdf->material.choices, bsdf->material.word);

@@ -51,4 +51,10 @@ int brdf_file_number(const struct brdf_model_info *model,
 brdf_status brdf_table_load(const struct brdf_model_info *model, char *const files[BRDF_FILES],
                             float **table, size_t *words, struct brdf_error *error);
 
+/*
+ * The table that the material's options need, computed; left alone where they need none. tables.c
+ */
+brdf_status brdf_table_compute(const struct brdf_material *material, float **table, size_t *words,
+                               struct brdf_error *error);
+
 #endif

@@ -1,9 +1,11 @@
-/* tables.c - which reader makes the table of which tabulated model. */
+/* tables.c - where a model's table comes from: a reader of its files, or a computation. */
 #include "bsdf.h"
 
 #include <stdlib.h>
 #include <string.h>
 
+#include "brdf/microfacet.h"
+#include "glass_table.h"
 #include "merl_table.h"
 #include "rgl_table.h"
 
@@ -79,4 +81,32 @@ brdf_status brdf_table_load(const struct brdf_model_info *model, char *const fil
     *table = all;
     *words = count;
     return BRDF_OK;
+}
+
+static int option_of(const struct brdf_model_info *model, const struct brdf_material *material,
+                     const char *name)
+{
+    const struct brdf_parameter_info *p = brdf_parameter_find(model, name);
+    return p ? (int)(material->choices >> 4 * brdf_parameter_place(model, p) & 15u) : 0;
+}
+
+static float value_of(const struct brdf_model_info *model, const struct brdf_material *material,
+                      const char *name)
+{
+    const struct brdf_parameter_info *p = brdf_parameter_find(model, name);
+    return material->word[brdf_parameter_place(model, p)];
+}
+
+brdf_status brdf_table_compute(const struct brdf_material *material, float **table, size_t *words,
+                               struct brdf_error *error)
+{
+    const struct brdf_model_info *model = brdf_model_info((int)material->model);
+    if (option_of(model, material, "multiscatter") == 0) {
+        return BRDF_OK;
+    }
+    int has_masking = brdf_parameter_find(model, "masking") != NULL;
+    int masking = has_masking ? option_of(model, material, "masking") : BRDF_MASKING_SEPARABLE;
+    float eta = value_of(model, material, "int_ior") / value_of(model, material, "ext_ior");
+    return brdf_glass_table_make(option_of(model, material, "distribution"), masking, eta, table,
+                                 words, error);
 }

@@ -50,7 +50,8 @@ void brdfcl_check_material_describe(const struct brdf_material *material,
 
 /*
  * As brdf_bsdf_create, but a model that reads a measurement gets one made for it in a temporary
- * file, unless the description names its own. Fails also where no maker is known for the
+ * file, unless the description names its own, and one that computes a table has options that need
+ * it, unless the description chooses. Fails also where no maker is known for the
  * measurement.
  */
 brdf_status brdfcl_check_bsdf_create(const char *description, struct brdf_bsdf **out,

@@ -130,6 +130,18 @@ static brdf_status files_add(struct completion *completion, const struct brdf_mo
     return status;
 }
 
+/* Options for which a table is computed, unless the description has chosen: all variants share it.
+ */
+static brdf_status computed_create(const char *description, struct brdf_bsdf **out,
+                                   struct brdf_error *error)
+{
+    char text[2048];
+    int length = snprintf(text, sizeof text, "%s%cmultiscatter=kullaconty", description,
+                          strchr(description, ':') ? ',' : ':');
+    int chosen = strstr(description, "multiscatter") != NULL;
+    return brdf_bsdf_create(chosen || length >= (int)sizeof text ? description : text, out, error);
+}
+
 brdf_status brdfcl_check_bsdf_create(const char *description, struct brdf_bsdf **out,
                                      struct brdf_error *error)
 {
@@ -138,6 +150,9 @@ brdf_status brdfcl_check_bsdf_create(const char *description, struct brdf_bsdf *
     *out = NULL;
     snprintf(name, sizeof name, "%.*s", (int)strcspn(description, ":"), description);
     const struct brdf_model_info *model = brdf_model_find(name);
+    if (model && model->flags & BRDF_COMPUTED) {
+        return computed_create(description, out, error);
+    }
     if (!model || !(model->flags & BRDF_TABULATED) ||
         strlen(description) >= sizeof completion.text) {
         return brdf_bsdf_create(description, out, error);

@@ -116,7 +116,8 @@ static inline brdf_real brdf_roughconductor_pdf(struct brdf_roughconductor p, br
     if (p.multiscatter) {
         struct brdf_energy energy = brdf_energy_make(facets);
         brdf_real share = brdf_roughconductor_share(p, energy, wo);
-        pdf = (1.0f - share) * pdf + share * brdf_energy_pdf(energy, brdf_clamp(wi.z, 0.0f, 1.0f));
+        pdf = (1.0f - share) * pdf +
+              share * brdf_energy_pdf(energy.spread, brdf_clamp(wi.z, 0.0f, 1.0f));
     }
     return brdf_pick(above, pdf, 0.0f);
 }
@@ -132,7 +133,7 @@ static inline struct brdf_sample brdf_roughconductor_sample_both(struct brdf_rou
     brdf_mask several = u.z < share;
     u.z = brdf_clamp((u.z - share) / brdf_max(1.0f - share, 1e-7f), 0.0f, 0.99999994f);
     brdf_vec3 mirrored = brdf_half_mirror(wo, brdf_facets_sample(facets, wo, u));
-    brdf_vec3 wi = brdf_vec3_pick(several, brdf_energy_sample(energy, u.x, u.y), mirrored);
+    brdf_vec3 wi = brdf_vec3_pick(several, brdf_energy_sample(energy.spread, u.x, u.y), mirrored);
     brdf_real pdf = brdf_roughconductor_pdf(p, wo, wi, table);
     brdf_mask valid = pdf > 1e-20f;
     brdf_real scale = brdf_max(wi.z, 0.0f) / brdf_pick(valid, pdf, 1.0f);

@@ -5,21 +5,23 @@
  * of eq. 13 and 16 and the Jacobians of eq. 14 and 17], exact Fresnel, visible normals. As Walter's
  * eq. 21 is written, radiance that passes is scaled by 1 / eta^2 [Veach 1997, 5.2].
  * Masking is Smith's: `correlated` is 1 / (1 + Lambda(wo) + Lambda(wi)) on either side, `separable`
- * what Mitsuba 3 computes. Light that would meet several facets is lost. Indices that differ
- * by less than 1/1000 count as equal: light passes straight on, as a delta.
+ * what Mitsuba 3 computes. Light that would meet several facets is lost, unless `multiscatter`
+ * brings it back: Kulla and Conty 2017, by glass.h. Indices that differ by less than 1/1000 count
+ * as equal: light passes straight on, as a delta.
  */
 #ifndef BRDF_MODEL_ROUGHDIELECTRIC_H
 #define BRDF_MODEL_ROUGHDIELECTRIC_H
 
 #include "../facet.h"
-#include "../interface.h"
-#include "../microfacet.h"
+#include "../energy.h"
+#include "../glass.h"
 #include "../parameters.h"
 #include "../sample.h"
 
 #define BRDF_ROUGHDIELECTRIC_PARAMETERS(P)                                                         \
     P(CHOICE, distribution, 0, 0, 1, "beckmann|ggx", "distribution of the facets' normals")        \
     P(CHOICE, masking, 0, 0, 1, "correlated|separable", "Smith masking and shadowing together")    \
+    P(CHOICE, multiscatter, 0, 0, 1, "none|kullaconty", "light that meets several facets")         \
     P(REAL, int_ior, 1.5046f, 0.1f, 10.0f, "ior", "refractive index below the surface")            \
     P(REAL, ext_ior, 1.000277f, 0.1f, 10.0f, "ior", "refractive index above the surface")          \
     P(ALIAS, alpha, 0, 0, 0, "alpha_u|alpha_v", "roughness along both tangents")                   \
@@ -58,10 +60,10 @@ brdf_roughdielectric_view_of(struct brdf_roughdielectric p, brdf_vec3 wo, brdf_v
     return view;
 }
 
-static inline brdf_rgb brdf_roughdielectric_eval(struct brdf_roughdielectric p, brdf_vec3 wo,
-                                                 brdf_vec3 wi, BRDF_GLOBAL const float *table)
+/* f by one facet. */
+static inline brdf_rgb brdf_roughdielectric_once(struct brdf_roughdielectric p, brdf_vec3 wo,
+                                                 brdf_vec3 wi)
 {
-    (void)table;
     brdf_real eta = p.int_ior / p.ext_ior;
     struct brdf_facet facet = brdf_facet_between(wo, wi, eta);
     struct brdf_roughdielectric_view view = brdf_roughdielectric_view_of(p, wo, wi);
@@ -77,10 +79,10 @@ static inline brdf_rgb brdf_roughdielectric_eval(struct brdf_roughdielectric p, 
     return brdf_rgb_pick(shown, f, brdf_gray(0.0f));
 }
 
-static inline brdf_real brdf_roughdielectric_pdf(struct brdf_roughdielectric p, brdf_vec3 wo,
-                                                 brdf_vec3 wi, BRDF_GLOBAL const float *table)
+/* The density of sampling that. */
+static inline brdf_real brdf_roughdielectric_once_pdf(struct brdf_roughdielectric p, brdf_vec3 wo,
+                                                      brdf_vec3 wi)
 {
-    (void)table;
     brdf_real eta = p.int_ior / p.ext_ior;
     struct brdf_facet facet = brdf_facet_between(wo, wi, eta);
     brdf_vec3 o = brdf_facet_upper(wo);
@@ -104,9 +106,8 @@ static inline struct brdf_sample brdf_roughdielectric_straight(struct brdf_rough
     return s;
 }
 
-static inline struct brdf_sample brdf_roughdielectric_sample(struct brdf_roughdielectric p,
-                                                             brdf_vec3 wo, brdf_vec3 u,
-                                                             BRDF_GLOBAL const float *table)
+static inline struct brdf_sample brdf_roughdielectric_once_sample(struct brdf_roughdielectric p,
+                                                                  brdf_vec3 wo, brdf_vec3 u)
 {
     brdf_mask outside = wo.z > 0.0f;
     brdf_real ratio = p.int_ior / p.ext_ior;
@@ -121,7 +122,7 @@ static inline struct brdf_sample brdf_roughdielectric_sample(struct brdf_roughdi
     brdf_mask arrives = (reflects & (i.z > 0.0f)) | (!reflects & (i.z < 0.0f));
     brdf_vec3 wi = brdf_vec3_make(i.x, i.y, brdf_pick(outside, i.z, -i.z));
 
-    brdf_real pdf = brdf_roughdielectric_pdf(p, wo, wi, table);
+    brdf_real pdf = brdf_roughdielectric_once_pdf(p, wo, wi);
     /* f cos / pdf = G2 / G1, over eta^2 if it passes: all else cancels. */
     struct brdf_roughdielectric_view view = brdf_roughdielectric_view_of(p, wo, wi);
     brdf_real seen = brdf_min(view.visibility * view.area_o * fabsf(i.z), 1.0f);
@@ -141,11 +142,97 @@ static inline struct brdf_sample brdf_roughdielectric_sample(struct brdf_roughdi
     return brdf_sample_where((o.z > 0.0f) & (vanishes | (arrives & (pdf > 1e-30f))), s);
 }
 
+static inline struct brdf_glass brdf_roughdielectric_glass(struct brdf_roughdielectric p,
+                                                           BRDF_GLOBAL const float *table)
+{
+    return brdf_glass_make(table, sqrtf(p.alpha_u * p.alpha_v), p.int_ior / p.ext_ior);
+}
+
+/* What one facet loses of light from w; nothing where there is no interface. */
+static inline brdf_real brdf_roughdielectric_loss(struct brdf_glass glass, brdf_vec3 w,
+                                                  BRDF_GLOBAL const float *table)
+{
+    brdf_real cosine = brdf_clamp(fabsf(w.z), 0.0f, 1.0f);
+    brdf_real loss = brdf_glass_loss(table, w.z > 0.0f, glass.alpha, cosine);
+    brdf_mask vanishes = brdf_roughdielectric_vanishes(glass.eta);
+    return brdf_pick(vanishes | (w.z == 0.0f), 0.0f, loss);
+}
+
+static inline brdf_rgb brdf_roughdielectric_eval(struct brdf_roughdielectric p, brdf_vec3 wo,
+                                                 brdf_vec3 wi, BRDF_GLOBAL const float *table)
+{
+    brdf_rgb f = brdf_roughdielectric_once(p, wo, wi);
+    if (p.multiscatter) {
+        struct brdf_glass glass = brdf_roughdielectric_glass(p, table);
+        brdf_mask above_o = wo.z > 0.0f;
+        brdf_mask above_i = wi.z > 0.0f;
+        brdf_real lobe =
+            brdf_glass_lobe(glass, above_o, above_i, brdf_roughdielectric_loss(glass, wo, table),
+                            brdf_roughdielectric_loss(glass, wi, table));
+        brdf_mask mirrors = (above_o & above_i) | (!above_o & !above_i);
+        brdf_rgb color = brdf_rgb_pick(mirrors, p.specular_reflectance, p.specular_transmittance);
+        f = brdf_rgb_add(f, brdf_rgb_scale(color, lobe));
+    }
+    return f;
+}
+
+static inline brdf_real brdf_roughdielectric_pdf(struct brdf_roughdielectric p, brdf_vec3 wo,
+                                                 brdf_vec3 wi, BRDF_GLOBAL const float *table)
+{
+    brdf_real once = brdf_roughdielectric_once_pdf(p, wo, wi);
+    if (!p.multiscatter) {
+        return once;
+    }
+    struct brdf_glass glass = brdf_roughdielectric_glass(p, table);
+    brdf_mask above_o = wo.z > 0.0f;
+    brdf_mask above_i = wi.z > 0.0f;
+    brdf_mask mirrors = (above_o & above_i) | (!above_o & !above_i);
+    brdf_real through = brdf_glass_through(glass, above_o);
+    brdf_real loss = brdf_roughdielectric_loss(glass, wo, table);
+    brdf_real cosine = brdf_clamp(fabsf(wi.z), 0.0f, 1.0f);
+    brdf_real lobe = brdf_energy_pdf(4.0f * glass.alpha * glass.alpha, cosine) *
+                     brdf_pick(mirrors, 1.0f - through, through);
+    return (1.0f - loss) * once + loss * lobe;
+}
+
+/* By one facet or several, as both reflect and let through. */
+static inline struct brdf_sample brdf_roughdielectric_sample(struct brdf_roughdielectric p,
+                                                             brdf_vec3 wo, brdf_vec3 u,
+                                                             BRDF_GLOBAL const float *table)
+{
+    if (!p.multiscatter) {
+        return brdf_roughdielectric_once_sample(p, wo, u);
+    }
+    struct brdf_glass glass = brdf_roughdielectric_glass(p, table);
+    brdf_mask above = wo.z > 0.0f;
+    brdf_real loss = brdf_roughdielectric_loss(glass, wo, table);
+    brdf_mask several = u.z < loss;
+    brdf_real through = brdf_glass_through(glass, above);
+    brdf_mask passes = u.z < loss * through;
+    brdf_vec3 lobe = brdf_energy_sample(4.0f * glass.alpha * glass.alpha, u.x, u.y);
+    brdf_mask up = (above & (!passes)) | ((!above) & passes);
+    lobe.z = brdf_pick(up, lobe.z, -lobe.z);
+    u.z = brdf_clamp((u.z - loss) / brdf_max(1.0f - loss, 1e-7f), 0.0f, BRDF_ONE_MINUS_ULP);
+    struct brdf_sample s = brdf_roughdielectric_once_sample(p, wo, u);
+
+    brdf_real index = brdf_pick(above, glass.eta, 1.0f / glass.eta);
+    s.wi = brdf_vec3_pick(several, lobe, s.wi);
+    s.eta = brdf_pick(several, brdf_pick(passes, index, 1.0f), s.eta);
+    brdf_real pdf = brdf_roughdielectric_pdf(p, wo, s.wi, table);
+    brdf_mask arrives = several | (s.pdf > 0.0f);
+    brdf_mask valid = arrives & (pdf > 1e-30f) & (s.delta == 0);
+    brdf_real scale = fabsf(s.wi.z) / brdf_pick(valid, pdf, 1.0f);
+    brdf_rgb weight = brdf_rgb_scale(brdf_roughdielectric_eval(p, wo, s.wi, table), scale);
+    s.weight = brdf_rgb_pick(valid, weight, s.weight);
+    s.pdf = brdf_pick(valid, pdf, s.pdf);
+    return brdf_sample_where((wo.z != 0.0f) & (valid | s.delta), s);
+}
+
 #endif
 
 #ifdef BRDF_MODEL
 BRDF_MODEL(roughdielectric, ROUGHDIELECTRIC,
-           BRDF_REFLECTION | BRDF_TRANSMISSION | BRDF_ANISOTROPIC | BRDF_RECIPROCAL,
+           BRDF_REFLECTION | BRDF_TRANSMISSION | BRDF_ANISOTROPIC | BRDF_RECIPROCAL | BRDF_COMPUTED,
            "rough interface between two dielectrics: frosted glass",
            "Walter et al. 2007; Heitz 2014")
 #endif
