@@ -183,6 +183,33 @@ static void glass_loses_nothing(void **state)
     assert_true(worst <= 8e-3);
 }
 
+/* A white base under any interface. */
+static void white_plastic_loses_nothing(void **state)
+{
+    (void)state;
+    static const char *const options[] = {"distribution=beckmann,int_ior=1.49",
+                                          "distribution=ggx,int_ior=1.9"};
+    double worst = 0.0;
+    for (size_t k = 0; k < COUNT(options); ++k) {
+        for (size_t i = 0; i < COUNT(alphas); ++i) {
+            struct brdf_bsdf *plastic =
+                make("roughplastic:diffuse_reflectance=1,ext_ior=1,%s,alpha=%g,multiscatter=%s",
+                     options[k], alphas[i], "kullaconty");
+            for (size_t j = 0; j < COUNT(degrees); ++j) {
+                double albedo = both_sides(plastic, cos(degrees[j] * PI / 180.0), 1.0);
+                worst = fmax(worst, fabs(albedo - 1.0));
+                if (!(fabs(albedo - 1.0) <= 8e-3)) {
+                    print_error("%s, alpha %g, %g degrees: %.5f\n", options[k], alphas[i],
+                                degrees[j], albedo);
+                }
+            }
+            brdf_bsdf_destroy(plastic);
+        }
+    }
+    print_message("white plastic 1 to %.1e\n", worst);
+    assert_true(worst <= 8e-3);
+}
+
 static void blinn_is_refused(void **state)
 {
     (void)state;
@@ -201,6 +228,7 @@ int main(void)
         cmocka_unit_test(mirrors_reflect_everything),
         cmocka_unit_test(metals_colour_what_comes_back),
         cmocka_unit_test(glass_loses_nothing),
+        cmocka_unit_test(white_plastic_loses_nothing),
         cmocka_unit_test(blinn_is_refused),
     };
     return cmocka_run_group_tests_name("energy compensation", tests, NULL, NULL);

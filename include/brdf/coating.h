@@ -4,7 +4,7 @@
  *
  * Neither has a closed form. Both are polynomials fitted to quadratures of the microfacet model of
  * refraction [Walter et al. 2007, eq. 21] with separable masking, light that meets one facet only:
- * tools/fit_coating.py, to 2e-3 at worst and 6e-4 on average. They hold for alpha in [1e-4, 2] and
+ * tools/fit_coating.py, to 1e-3 at worst and 3e-4 on average. They hold for alpha in [1e-4, 2] and
  * eta in [1.1, 2.5], to which both are clamped.
  */
 #ifndef BRDF_COATING_H
@@ -57,9 +57,9 @@ static inline brdf_real brdf_coating_guess(struct brdf_coating coating, brdf_rea
     return 1.0f - brdf_fresnel_dielectric(brdf_min(mean, 1.0f), coating.eta).reflectance;
 }
 
-/* The fit's factor of the guess is a polynomial in x of degree 8; its coefficients. */
+/* The fit's factor of the guess is a polynomial in x of degree 10; its coefficients. */
 struct brdf_coating_curve {
-    brdf_real c[9];
+    brdf_real c[11];
 };
 
 static inline struct brdf_coating_curve brdf_coating_curve_of(struct brdf_coating coating)
@@ -68,12 +68,12 @@ static inline struct brdf_coating_curve brdf_coating_curve_of(struct brdf_coatin
     brdf_real y = brdf_coating_y(coating);
     brdf_real z = brdf_coating_z(coating);
     int row = 0;
-    for (int i = 0; i <= 8; ++i) {
+    for (int i = 0; i <= 10; ++i) {
         brdf_real power = 1.0f; /* of z */
         curve.c[i] = 0.0f;
-        for (int k = 0; 36 - 3 * i - 6 * k >= 0 && k <= 4; ++k) {
-            int most = (36 - 3 * i - 6 * k) / 2; /* power of y */
-            most = most > 12 ? 12 : most;
+        for (int k = 0; 105 - 7 * i - 14 * k >= 0 && k <= 5; ++k) {
+            int most = (105 - 7 * i - 14 * k) / 5; /* power of y */
+            most = most > 14 ? 14 : most;
             brdf_real sum = 0.0f;
             for (int j = most; j >= 0; --j) {
                 sum = sum * y + (coating.distribution == BRDF_GGX
@@ -96,8 +96,8 @@ static inline brdf_real brdf_coating_pass(struct brdf_coating coating,
     brdf_real spread = 2.0f * coating.alpha * coating.alpha;
     brdf_real below = brdf_max(cos2 + spread * (1.0f - cos2), 1e-20f);
     brdf_real x = 2.0f * cosine / sqrtf(below) - 1.0f;
-    brdf_real factor = curve.c[8];
-    for (int i = 7; i >= 0; --i) {
+    brdf_real factor = curve.c[10];
+    for (int i = 9; i >= 0; --i) {
         factor = factor * x + curve.c[i];
     }
     return brdf_clamp(brdf_coating_guess(coating, cosine) * factor, 0.0f, 1.0f);

@@ -34,6 +34,7 @@ static const char *const more_cases[] = {
     "principled:spec_trans=0.7,roughness=0.4,eta=1.5,clearcoat=0.5,clearcoat_gloss=0.5,coat=burley",
     "wood:fiber_axis=0.9/0.4/0.7,beta=0.05,fiber_reflectance=1,diffuse_reflectance=0.1",
     "wood:eta=1,fiber_reflectance=1,diffuse_reflectance=0",
+    "roughconductor:distribution=ggx,alpha=0.7,multiscatter=kullaconty",
     "dielectric:int_ior=1.33,ext_ior=1",
     "dielectric:int_ior=1,ext_ior=2.4",
 };
