@@ -13,6 +13,8 @@
 #include "brdflab/bake.h"
 #include "brdflab/plot.h"
 
+#include "stop.h"
+
 /* f of the blend, for one pair of directions. */
 static void blend(const double wo[3], const double wi[3], double rgb[3], void *data)
 {
@@ -42,22 +44,26 @@ static brdf_status bake(const struct lab_fit_result *fit, struct brdf_bsdf **bsd
                              "no picture of a blend whose parts are anisotropic");
         }
     }
+    brdf_status status = brdf_merl_make(blend, &copy, &table, error);
+    if (status) {
+        return status;
+    }
+    stop_wait(); /* until the file is gone */
     snprintf(path, sizeof path, "%s/brdfcl-fit-XXXXXX", folder && *folder ? folder : "/tmp");
     int file = mkstemp(path);
     if (file < 0) {
-        return brdf_fail(error, BRDF_IO, "%s: %s", path, strerror(errno));
-    }
-    close(file);
-    brdf_status status = brdf_merl_make(blend, &copy, &table, error);
-    if (!status) {
+        status = brdf_fail(error, BRDF_IO, "%s: %s", path, strerror(errno));
+    } else {
+        close(file);
         status = brdf_merl_write(path, &table, error);
-        brdf_merl_free(&table);
+        if (!status) {
+            struct brdf_setting setting = brdf_setting_text("filename", path);
+            status = brdf_bsdf_create_from("merl", &setting, 1, bsdf, error);
+        }
+        unlink(path);
     }
-    if (!status) {
-        struct brdf_setting setting = brdf_setting_text("filename", path);
-        status = brdf_bsdf_create_from("merl", &setting, 1, bsdf, error);
-    }
-    unlink(path);
+    stop_resume();
+    brdf_merl_free(&table);
     return status;
 }
 
@@ -78,6 +84,7 @@ brdf_status fit_picture_write(const char *path, const struct brdf_bsdf *target, 
     }
     snprintf(title, sizeof title, "Fit with an error of %.4g", fit->error);
     settings.title = title;
+    settings.on_write = stop_wait;
     struct lab_plot_material materials[2] = {{target, name},
                                              {baked ? baked : fit->parts[0], caption}};
     status = lab_plot_write(path, materials, 2, &settings, error);

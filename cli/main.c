@@ -11,6 +11,7 @@
 
 #include "commands.h"
 #include "say.h"
+#include "stop.h"
 
 static const struct command {
     const char *name;
@@ -89,5 +90,6 @@ int main(int argc, char **argv)
         say("standard output: %s", strerror(errno));
         return status == EXIT_DONE ? EXIT_FAILED : status;
     }
-    return status;
+    /* A signal that had to wait until a file was whole. */
+    return status == EXIT_DONE && stop_signal() ? 128 + stop_signal() : status;
 }

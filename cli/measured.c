@@ -39,29 +39,26 @@ brdf_status measured_check(const char *path, struct brdf_error *error)
 brdf_status measured_write(const char *path, const struct brdf_merl_file *file,
                            struct brdf_error *error)
 {
-    stop_install();
-    stop_set_phase(STOP_WAITS);
+    stop_wait();
     brdf_status status = brdf_merl_write(path, file, error);
-    stop_set_phase(STOP_QUITS);
+    stop_resume();
     return status;
 }
 
 brdf_status measured_write_rgl(const char *path, const struct brdf_rgl_file *file,
                                struct brdf_error *error)
 {
-    stop_install();
-    stop_set_phase(STOP_WAITS);
+    stop_wait();
     brdf_status status = brdf_rgl_write(path, file, error);
-    stop_set_phase(STOP_QUITS);
+    stop_resume();
     return status;
 }
 
 brdf_status measured_copy(const char *from, const char *path, struct brdf_error *error)
 {
-    stop_install();
-    stop_set_phase(STOP_WAITS);
+    stop_wait();
     brdf_status status = lab_copy_file(from, path, error);
-    stop_set_phase(STOP_QUITS);
+    stop_resume();
     return status;
 }
 

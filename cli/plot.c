@@ -11,6 +11,7 @@
 #include "options.h"
 #include "parse.h"
 #include "say.h"
+#include "stop.h"
 
 static const char summary[] =
     "Draw materials, such as roughconductor:material=Cu,alpha=0.2, side by side: a lit sphere, "
@@ -159,5 +160,6 @@ int command_plot(int argc, char **argv)
     settings.height = size.height;
     settings.azimuth = phi * degree;
     settings.channel = (enum lab_channel)channel;
+    settings.on_write = stop_wait;
     return plot(path, &arguments, &settings);
 }

@@ -9,6 +9,7 @@
 /* The one thing that a signal handler can reach is what is global. */
 static volatile sig_atomic_t first_signal;
 static volatile sig_atomic_t current_phase;
+static sig_atomic_t phase_before; /* stop_wait; the handler does not look at it */
 
 static void on_signal(int number)
 {
@@ -38,6 +39,18 @@ void stop_install(void)
 void stop_set_phase(enum stop_phase phase)
 {
     current_phase = (sig_atomic_t)phase;
+}
+
+void stop_wait(void)
+{
+    phase_before = current_phase;
+    current_phase = STOP_WAITS; /* first: with the handler comes no moment of another phase */
+    stop_install();
+}
+
+void stop_resume(void)
+{
+    current_phase = phase_before;
 }
 
 int stop_signal(void)

@@ -18,6 +18,12 @@ void stop_install(void);
 
 void stop_set_phase(enum stop_phase phase);
 
+/* A file is about to be written: listen, if nobody does yet, and wait. */
+void stop_wait(void);
+
+/* It is written: back to the phase before stop_wait. */
+void stop_resume(void);
+
 /* The signal that came first, or 0. The exit status that belongs to it is 128 + its number. */
 int stop_signal(void);
 

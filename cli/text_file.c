@@ -1,63 +1,36 @@
 /* text_file.c - a small file that appears whole or not at all. */
-#define _XOPEN_SOURCE 700 /* realpath, mkstemp */
+#define _POSIX_C_SOURCE 200809L
 #include "text_file.h"
 
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include "brdfcl/atomic_file.h"
+#include "stop.h"
 
 static brdf_status io_failed(const char *path, struct brdf_error *error)
 {
     return brdf_fail(error, BRDF_IO, "%s: cannot be written: %s", path, strerror(errno));
 }
 
-/* The folder that a path names a file in; malloc'd. */
-static char *folder_of(const char *path)
+/* What is written as it is: standard output, a device or a pipe. */
+static int is_stream(const char *path)
 {
-    const char *slash = strrchr(path, '/');
-    size_t length = !slash ? 1 : slash == path ? 1 : (size_t)(slash - path);
-    char *folder = malloc(length + 1);
-    if (folder) {
-        memcpy(folder, slash ? path : ".", length);
-        folder[length] = '\0';
-    }
-    return folder;
+    struct stat info;
+    return strcmp(path, "-") == 0 ||
+           (stat(path, &info) == 0 && !S_ISREG(info.st_mode) && !S_ISDIR(info.st_mode));
 }
 
 brdf_status text_file_check(const char *path, struct brdf_error *error)
 {
-    struct stat info;
-    if (strcmp(path, "-") == 0) {
-        return BRDF_OK;
+    if (!is_stream(path)) {
+        return brdfcl_atomic_check(path, error);
     }
-    if (stat(path, &info) == 0) {
-        if (S_ISDIR(info.st_mode)) {
-            return brdf_fail(error, BRDF_IO, "%s: is a folder, not a file to write", path);
-        }
-        if (access(path, W_OK)) {
-            return io_failed(path, error);
-        }
-        if (!S_ISREG(info.st_mode)) {
-            return BRDF_OK;
-        }
-    }
-    char *folder = folder_of(path);
-    if (!folder) {
-        return brdf_fail(error, BRDF_OUT_OF_MEMORY, "%s: out of memory", path);
-    }
-    brdf_status status = BRDF_OK;
-    if (!*path || path[strlen(path) - 1] == '/') {
-        status = brdf_fail(error, BRDF_IO, "'%s' names no file to write", path);
-    } else if (access(folder, W_OK | X_OK)) {
-        status = brdf_fail(error, BRDF_IO, "%s: its folder cannot be written: %s", path,
-                           strerror(errno));
-    }
-    free(folder);
-    return status;
+    return strcmp(path, "-") != 0 && access(path, W_OK) ? io_failed(path, error) : BRDF_OK;
 }
 
 static int write_all(int fd, const char *text, size_t length)
@@ -75,7 +48,6 @@ static int write_all(int fd, const char *text, size_t length)
     return 0;
 }
 
-/* Standard output, a device or a pipe: there is nothing to rename. */
 static brdf_status write_through(const char *path, const char *text, size_t length,
                                  struct brdf_error *error)
 {
@@ -92,62 +64,27 @@ static brdf_status write_through(const char *path, const char *text, size_t leng
     return status;
 }
 
-/* mkstemp makes files that only their owner reads; give the temporary what the file had or would
-   have had. */
-static int set_mode(int fd, const char *target)
-{
-    struct stat info;
-    if (stat(target, &info) == 0) {
-        return fchmod(fd, info.st_mode & 07777);
-    }
-    mode_t mask = umask(0);
-    umask(mask);
-    return fchmod(fd, 0666 & ~mask);
-}
-
-static brdf_status replace(const char *path, const char *target, const char *text, size_t length,
+static brdf_status replace(const char *path, const char *text, size_t length,
                            struct brdf_error *error)
 {
-    brdf_status status = BRDF_OK;
-    int fd = -1;
-    size_t size = strlen(target) + 16;
-    char *folder = folder_of(target);
-    char *temporary = malloc(size + 2);
-    if (!folder || !temporary) {
-        status = brdf_fail(error, BRDF_OUT_OF_MEMORY, "%s: out of memory", path);
-        goto done;
+    struct brdfcl_atomic_file file;
+    stop_wait();
+    brdf_status status = brdfcl_atomic_open(&file, path, error);
+    if (!status) {
+        status = brdfcl_atomic_write(&file, text, length, 0, error);
+        if (status) {
+            brdfcl_atomic_discard(&file);
+        } else {
+            status = brdfcl_atomic_commit(&file, error);
+        }
     }
-    const char *slash = strrchr(target, '/');
-    snprintf(temporary, size + 2, "%s/.%s.XXXXXX", folder, slash ? slash + 1 : target);
-    fd = mkstemp(temporary);
-    if (fd < 0) {
-        status = io_failed(path, error);
-        goto done;
-    }
-    int bad = set_mode(fd, target) || write_all(fd, text, length) || fsync(fd);
-    if (close(fd) || bad || rename(temporary, target)) {
-        status = io_failed(path, error);
-        unlink(temporary);
-    }
-done:
-    free(folder);
-    free(temporary);
+    stop_resume();
     return status;
 }
 
 brdf_status text_file_write(const char *path, const char *text, size_t length,
                             struct brdf_error *error)
 {
-    struct stat info;
-    brdf_status status = text_file_check(path, error);
-    if (status) {
-        return status;
-    }
-    if (strcmp(path, "-") == 0 || (stat(path, &info) == 0 && !S_ISREG(info.st_mode))) {
-        return write_through(path, text, length, error);
-    }
-    char *target = realpath(path, NULL); /* NULL: there is no such file yet */
-    status = replace(path, target ? target : path, text, length, error);
-    free(target);
-    return status;
+    return is_stream(path) ? write_through(path, text, length, error)
+                           : replace(path, text, length, error);
 }

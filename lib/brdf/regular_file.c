@@ -1,5 +1,5 @@
 /* regular_file.c - opening and replacing regular files. */
-#define _POSIX_C_SOURCE 200809L
+#define _XOPEN_SOURCE 700 /* realpath */
 
 #include "regular_file.h"
 
@@ -33,36 +33,65 @@ brdf_status brdf_regular_file_open(const char *path, FILE **stream, long long *b
     return BRDF_OK;
 }
 
+/* The file that a path leads to, which need not exist; malloc'd. A link to nothing is no target. */
+static brdf_status find_target(const char *path, char **target, mode_t *mode,
+                               struct brdf_error *error)
+{
+    struct stat info;
+    *mode = 0;
+    if (stat(path, &info) == 0) {
+        if (!S_ISREG(info.st_mode)) {
+            return brdf_fail(error, BRDF_IO, "%s: not written: it exists and is not a regular file",
+                             path);
+        }
+        *mode = info.st_mode & 07777;
+        *target = realpath(path, NULL);
+    } else if (lstat(path, &info) == 0) {
+        return brdf_fail(error, BRDF_IO, "%s: not written: a symbolic link that leads nowhere",
+                         path);
+    } else {
+        *target = strdup(path);
+    }
+    return *target ? BRDF_OK
+                   : brdf_fail(error, BRDF_IO, "%s: not written: %s", path, strerror(errno));
+}
+
+static void new_file_free(struct brdf_new_file *file)
+{
+    free(file->temporary);
+    free(file->target);
+}
+
 brdf_status brdf_new_file_begin(struct brdf_new_file *file, const char *path,
                                 struct brdf_error *error)
 {
-    struct stat info;
-    brdf_status status = BRDF_OK;
-    size_t size = strlen(path) + 32;
-    if (stat(path, &info) == 0 && !S_ISREG(info.st_mode)) {
-        return brdf_fail(error, BRDF_IO, "%s: not written: it exists and is not a regular file",
-                         path);
-    }
-    file->stream = NULL;
+    mode_t mode;
+    memset(file, 0, sizeof *file);
     file->path = path;
+    brdf_status status = find_target(path, &file->target, &mode, error);
+    if (status) {
+        return status;
+    }
+    size_t size = strlen(file->target) + 32;
     file->temporary = malloc(size);
     if (!file->temporary) {
+        new_file_free(file);
         return brdf_fail(error, BRDF_OUT_OF_MEMORY, "%s: no memory to write it", path);
     }
-    snprintf(file->temporary, size, "%s.%ld.part", path, (long)getpid());
+    snprintf(file->temporary, size, "%s.%ld.part", file->target, (long)getpid());
     int descriptor = open(file->temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor < 0) {
         status =
             brdf_fail(error, BRDF_IO, "%s: cannot be made: %s", file->temporary, strerror(errno));
-        free(file->temporary);
+        new_file_free(file);
         return status;
     }
-    file->stream = fdopen(descriptor, "wb");
+    file->stream = mode && fchmod(descriptor, mode) ? NULL : fdopen(descriptor, "wb");
     if (!file->stream) {
-        status = brdf_fail(error, BRDF_OUT_OF_MEMORY, "%s: not written: %s", path, strerror(errno));
+        status = brdf_fail(error, BRDF_IO, "%s: not written: %s", path, strerror(errno));
         close(descriptor);
         unlink(file->temporary);
-        free(file->temporary);
+        new_file_free(file);
     }
     return status;
 }
@@ -71,11 +100,16 @@ brdf_status brdf_new_file_end(struct brdf_new_file *file, int failed, struct brd
 {
     brdf_status status = BRDF_OK;
     int reason = errno;
+    /* On the disk before it takes the name; EINVAL: a file system with nothing to flush. */
+    if (!failed && (fflush(file->stream) || (fsync(fileno(file->stream)) && errno != EINVAL))) {
+        failed = 1;
+        reason = errno;
+    }
     if (fclose(file->stream) != 0 && !failed) {
         failed = 1;
         reason = errno;
     }
-    if (!failed && rename(file->temporary, file->path) != 0) {
+    if (!failed && rename(file->temporary, file->target) != 0) {
         failed = 1;
         reason = errno;
     }
@@ -83,6 +117,6 @@ brdf_status brdf_new_file_end(struct brdf_new_file *file, int failed, struct brd
         unlink(file->temporary);
         status = brdf_fail(error, BRDF_IO, "%s: not written: %s", file->path, strerror(reason));
     }
-    free(file->temporary);
+    new_file_free(file);
     return status;
 }

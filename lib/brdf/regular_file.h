@@ -20,10 +20,12 @@ brdf_status brdf_regular_file_open(const char *path, FILE **stream, long long *b
 struct brdf_new_file {
     FILE *stream;
     const char *path;
+    char *target; /* the file of that name, behind its symbolic links */
     char *temporary;
 };
 
-/* Begin to write `path`, which must outlive the struct. Errors: BRDF_IO, BRDF_OUT_OF_MEMORY. */
+/* Begin to write `path`, which must outlive the struct. A file that is replaced hands its
+   permissions on, and symbolic links to it stay. Errors: BRDF_IO, BRDF_OUT_OF_MEMORY. */
 brdf_status brdf_new_file_begin(struct brdf_new_file *file, const char *path,
                                 struct brdf_error *error);
 

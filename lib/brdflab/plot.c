@@ -39,7 +39,8 @@ struct lab_plot_settings lab_plot_settings_initial(void)
         NULL,
         0.0,
         0.0,
-        2.0};
+        2.0,
+        NULL};
     return settings;
 }
 
@@ -199,6 +200,7 @@ brdf_status lab_plot_write(const char *path, const struct lab_plot_material *mat
     if (status) {
         return status;
     }
+    file.on_write = settings->on_write;
     struct plot_canvas canvas = {cairo_create(file.surface), plot_theme(settings->dark),
                                  settings->scale};
     status = draw(&canvas, &layout, &job, error);

@@ -56,6 +56,7 @@ struct lab_plot_settings {
     double height;
     double scale; /* pixels for each point: of a PNG, and of the images within an SVG; 2 is sharp
                      on the screens of today */
+    void (*on_write)(void); /* called when all is drawn, before there is a file; may be NULL */
 };
 
 /* All five panels, light at 0, 30, 60 and 80 degrees along the tangent, luminance, linear lobes. */

@@ -41,6 +41,13 @@ brdf_status lab_plot_path_check(const char *path, struct brdf_error *error)
 static cairo_status_t write_bytes(void *closure, const unsigned char *bytes, unsigned length)
 {
     struct plot_file *file = closure;
+    if (!file->status && !file->is_open) {
+        if (file->on_write) {
+            file->on_write();
+        }
+        file->status = brdfcl_atomic_open(&file->file, file->path, file->error);
+        file->is_open = !file->status;
+    }
     if (!file->status) {
         file->status = brdfcl_atomic_write(&file->file, bytes, length, file->written, file->error);
         file->written += length;
@@ -62,14 +69,11 @@ static void make_surface(struct plot_file *file, double width, double height, do
 brdf_status plot_file_open(struct plot_file *file, const char *path, double width, double height,
                            double scale, struct brdf_error *error)
 {
+    memset(file, 0, sizeof *file);
+    file->path = path;
     file->is_svg = plot_file_is_svg(path);
-    file->surface = NULL;
-    file->written = 0;
     file->error = error;
     file->status = lab_plot_path_check(path, error);
-    if (!file->status) {
-        file->status = brdfcl_atomic_open(&file->file, path, error);
-    }
     if (file->status) {
         return file->status;
     }
@@ -84,23 +88,29 @@ brdf_status plot_file_open(struct plot_file *file, const char *path, double widt
 
 brdf_status plot_file_close(struct plot_file *file, brdf_status status)
 {
+    cairo_status_t drawn = CAIRO_STATUS_SUCCESS;
+    file->status = status; /* an error keeps an SVG from being written */
     if (!status && !file->is_svg) {
-        cairo_surface_write_to_png_stream(file->surface, write_bytes, file);
+        drawn = cairo_surface_write_to_png_stream(file->surface, write_bytes, file);
     }
     cairo_surface_finish(file->surface); /* an SVG's bytes come now */
-    cairo_status_t drawn = cairo_surface_status(file->surface);
+    if (drawn == CAIRO_STATUS_SUCCESS) {
+        drawn = cairo_surface_status(file->surface);
+    }
     if (!status) {
         status = file->status;
     }
     if (!status && drawn != CAIRO_STATUS_SUCCESS) {
-        status = brdf_fail(file->error, BRDF_IO, "%s: %s", file->file.path,
-                           cairo_status_to_string(drawn));
+        status =
+            brdf_fail(file->error, BRDF_IO, "%s: %s", file->path, cairo_status_to_string(drawn));
     }
     cairo_surface_destroy(file->surface);
     file->surface = NULL;
     if (!status) {
         return brdfcl_atomic_commit(&file->file, file->error);
     }
-    brdfcl_atomic_discard(&file->file);
+    if (file->is_open) {
+        brdfcl_atomic_discard(&file->file);
+    }
     return status;
 }

@@ -10,8 +10,11 @@
 #include <brdfcl/atomic_file.h>
 
 struct plot_file {
-    struct brdfcl_atomic_file file;
+    const char *path;
+    struct brdfcl_atomic_file file; /* from its first byte on */
+    int is_open;
     int is_svg;
+    void (*on_write)(void); /* called before the first byte; may be NULL */
     cairo_surface_t *surface;
     long long written; /* bytes */
     brdf_status status;
@@ -22,7 +25,7 @@ struct plot_file {
 int plot_file_is_svg(const char *path);
 
 /* Open a picture of so many points, `scale` pixels each for a PNG; ends with plot_file_close. The
-   struct must stay where it is until then. */
+   struct must stay where it is until then. Nothing is made on the disk before. */
 brdf_status plot_file_open(struct plot_file *file, const char *path, double width, double height,
                            double scale, struct brdf_error *error);
 
