@@ -137,7 +137,8 @@ BRDF_API void brdf_sample_many(const struct brdf_bsdf *bsdf, size_t count, struc
 BRDF_API const struct brdf_material *brdf_bsdf_material(const struct brdf_bsdf *bsdf);
 
 /*
- * The table of a tabulated model, *words 4-byte words of it; NULL and 0 words if it has none. Valid
+ * The table of the material, read from a file or computed; *words 4-byte words of it, NULL and 0 if
+ * it has none. Valid
  * as long as the bsdf. In memory shared by several materials it begins at word material.table.
  */
 BRDF_API const float *brdf_bsdf_table(const struct brdf_bsdf *bsdf, size_t *words);
