@@ -8,6 +8,7 @@
 #include <brdf/model.h>
 
 #include "brdflab/albedo.h"
+#include "brdflab/open.h"
 #include "commands.h"
 #include "json.h"
 #include "options.h"
@@ -54,7 +55,7 @@ static int read_command_line(struct albedo_run *run, int argc, char **argv)
          "write everything as JSON; - is standard output, which then has no table"},
     };
     const struct usage usage = {
-        "albedo", "BSDF", summary, options, sizeof options / sizeof options[0], 1, 1};
+        "albedo", "BSDF|FILE", summary, options, sizeof options / sizeof options[0], 1, 1};
     struct texts arguments;
     int status = options_read(&usage, argc, argv, &arguments);
     run->description = status == OPTIONS_GO_ON ? arguments.item[0] : NULL;
@@ -178,7 +179,7 @@ int command_albedo(int argc, char **argv)
     struct brdf_bsdf *bsdf = NULL;
     struct brdf_error error = {BRDF_OK, ""};
     brdf_status status = run.json_path ? text_file_check(run.json_path, &error) : BRDF_OK;
-    status = status ? status : brdf_bsdf_create(run.description, &bsdf, &error);
+    status = status ? status : lab_open(run.description, &bsdf, NULL, &error);
     status = status ? status : check_side(&run, bsdf, &error);
     if (!status) {
         run.transmits = (brdf_bsdf_material(bsdf)->flags & BRDF_TRANSMISSION) != 0;

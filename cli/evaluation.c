@@ -3,11 +3,13 @@
 
 #include <string.h>
 
+#include "brdflab/open.h"
+
 brdf_status evaluation_open(struct evaluation *evaluation, const struct backend *backend,
                             const char *description, struct brdf_error *error)
 {
     memset(evaluation, 0, sizeof *evaluation);
-    brdf_status status = brdf_bsdf_create(description, &evaluation->bsdf, error);
+    brdf_status status = lab_open(description, &evaluation->bsdf, NULL, error);
     if (!status) {
         status = backend_open(backend, &evaluation->device, error);
     }

@@ -118,7 +118,7 @@ int command_fit(int argc, char **argv)
          "look from all around, and search both roughnesses"},
         {"starts", 0, OPTION_INT, &fit.starts, "N", 1, 1000, "local searches; 8 if not given"},
         {"evaluations", 0, OPTION_INT, &evaluations, "N", 1, 1000000,
-         "of the error in each, at most; 4000 if not given"},
+         "of the error in each walk of a search, at most; 4000 if not given"},
         {"output", 'o', OPTION_TEXT, &picture, "FILE", 0, 0,
          "plot what was fitted and the fit, as .png or .svg"},
         {"seed", 0, OPTION_INT, &seed, "N", 0, 1e9, "where the starts begin"},

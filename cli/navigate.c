@@ -88,12 +88,15 @@ static void print_place(const struct navigate_run *run)
     for (int k = 0; k < run->basis->components; ++k) {
         double z = run->start[k] + run->step[k];
         printf(" %.3f", z);
+    }
+    printf("\n");
+    for (int k = 0; k < run->basis->components; ++k) {
+        double z = run->start[k] + run->step[k];
         if (fabs(z) > 3.0) {
             say("coordinate %d is %.1f: beyond 3 the map is a guess, nothing was measured there",
                 k + 1, z);
         }
     }
-    printf("\n");
 }
 
 /* "gloss=1.5" */

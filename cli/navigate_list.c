@@ -9,6 +9,8 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "brdflab/open.h"
+
 /* The part of a path that a person calls it by: without folder and suffix. */
 static char *name_of(const char *material)
 {
@@ -87,10 +89,11 @@ brdf_status navigate_list_add(struct navigate_list *list, const char *argument,
     return append(list, strdup(argument), name_of(argument), error);
 }
 
-/* One line of a list: both words, or the material alone. */
+/* One line of a list: both words, or the material alone. What it names must be there. */
 static brdf_status add_line(struct navigate_list *list, char *line, struct brdf_error *error)
 {
     static const char space[] = " \t\r\n";
+    enum lab_format format;
     line += strspn(line, space);
     line[strcspn(line, "\r\n")] = '\0';
     for (size_t end = strlen(line); end > 0 && strchr(space, line[end - 1]); --end) {
@@ -100,12 +103,17 @@ static brdf_status add_line(struct navigate_list *list, char *line, struct brdf_
         return BRDF_OK;
     }
     size_t first = strcspn(line, space);
-    if (line[first] == '\0') {
-        return append(list, strdup(line), name_of(line), error);
+    char *material = line;
+    if (line[first] != '\0') {
+        line[first] = '\0';
+        material += first + 1;
+        material += strspn(material, space);
     }
-    line[first] = '\0';
-    char *rest = line + first + 1;
-    return append(list, strdup(rest + strspn(rest, space)), strdup(line), error);
+    brdf_status status = lab_format_of(material, &format, error);
+    if (status) {
+        return status;
+    }
+    return append(list, strdup(material), material == line ? name_of(line) : strdup(line), error);
 }
 
 brdf_status navigate_list_read(struct navigate_list *list, const char *path,
@@ -113,13 +121,17 @@ brdf_status navigate_list_read(struct navigate_list *list, const char *path,
 {
     char *line = NULL;
     size_t room = 0;
+    struct brdf_error reason = {BRDF_OK, ""};
     brdf_status status = BRDF_OK;
     FILE *file = fopen(path, "r");
     if (!file) {
         return brdf_fail(error, BRDF_IO, "%s: %s", path, strerror(errno));
     }
-    while (!status && getline(&line, &room, file) >= 0) {
-        status = add_line(list, line, error);
+    for (unsigned long number = 1; !status && getline(&line, &room, file) >= 0; ++number) {
+        status = add_line(list, line, &reason);
+        if (status) {
+            status = brdf_fail(error, status, "%s:%lu: %s", path, number, reason.message);
+        }
     }
     if (!status && ferror(file)) {
         status = brdf_fail(error, BRDF_IO, "%s: %s", path, strerror(errno));

@@ -4,6 +4,7 @@
 
 #include <brdf/material.h>
 
+#include "brdflab/open.h"
 #include "commands.h"
 #include "options.h"
 #include "parse.h"
@@ -39,7 +40,7 @@ int command_sample(int argc, char **argv)
         {"seed", 0, OPTION_INT, &seed, "N", 0, 2147483647, "another seed, other numbers"},
     };
     const struct usage usage = {
-        "sample", "BSDF", summary, options, sizeof options / sizeof options[0], 1, 1};
+        "sample", "BSDF|FILE", summary, options, sizeof options / sizeof options[0], 1, 1};
     struct texts arguments;
     int status = options_read(&usage, argc, argv, &arguments);
     if (status != OPTIONS_GO_ON) {
@@ -50,7 +51,7 @@ int command_sample(int argc, char **argv)
     }
     struct brdf_error error = {BRDF_OK, ""};
     struct brdf_bsdf *bsdf;
-    if (brdf_bsdf_create(arguments.item[0], &bsdf, &error)) {
+    if (lab_open(arguments.item[0], &bsdf, NULL, &error)) {
         return say_error(&error);
     }
     brdf_vec3 viewer = direction_of_angles(wo);

@@ -7,6 +7,7 @@
 
 #include <brdf/material.h>
 
+#include "brdflab/open.h"
 #include "commands.h"
 #include "say.h"
 #include "text_file.h"
@@ -69,7 +70,7 @@ static void report(const struct lab_finding *finding, void *data)
 brdf_status test_material(struct test_run *run, const char *description, struct brdf_error *error)
 {
     struct brdf_bsdf *bsdf;
-    brdf_status status = brdf_bsdf_create(description, &bsdf, error);
+    brdf_status status = lab_open(description, &bsdf, NULL, error);
     if (status) {
         return status;
     }
@@ -122,7 +123,7 @@ int command_test(int argc, char **argv)
         {"json", 0, OPTION_TEXT, &run.json_path, "FILE", 0, 0,
          "write everything as JSON; - is standard output, which then has no table"},
     };
-    const struct usage usage = {"test",  "BSDF | --all [MODEL...]",          summary,
+    const struct usage usage = {"test",  "BSDF|FILE | --all [MODEL...]",     summary,
                                 options, sizeof options / sizeof options[0], 0,
                                 64};
     struct texts arguments;

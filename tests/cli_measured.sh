@@ -43,6 +43,29 @@ says out 'above the surface all but 0$'
 says out '^least f     0 1/sr, at theta_h 18.23, theta_d 20.5, phi_d 90.5 degrees'
 rm filled.binary zero.binary
 
+# --- measured files where a material is wanted, under names that a description cannot hold ----------
+
+last='a file as a material'
+cp matte.binary "a,b:c 'd'.binary"
+expect 0 eval "a,b:c 'd'.binary" --wo 0,0 --wi 60,0
+says out '^f  *0\.0636[0-9]* 0\.127[0-9]* 0\.190[0-9]*  1/sr'
+expect 0 sample "a,b:c 'd'.binary" --wo 40,0 --count 2
+expect 0 albedo "a,b:c 'd'.binary" --samples 1024 --angles 1
+says out '^average  *0\.[12]'
+expect 0 test "a,b:c 'd'.binary" --calls 1000 --samples 10000
+rm "a,b:c 'd'.binary"
+mkdir diffuse # a model's name is the model
+expect 0 info diffuse
+expect 1 info ./diffuse
+says err 'a folder'
+rmdir diffuse
+refused_empty='the name of a material is empty'
+for command in info convert; do
+    last="$command ''"
+    expect 1 $command '' $([ $command = info ] || echo o.binary)
+    says err "$refused_empty"
+done
+
 # --- info ------------------------------------------------------------------------------------------
 
 last='info'
@@ -114,7 +137,7 @@ refused 2 'MERL files' mix diffuse phong o.bsdf
 refused 2 'no suffix that tells its format' mix diffuse phong o.txt
 refused 2 'one of log-relative' mix diffuse phong o.binary --space cubic
 refused 1 'did you mean "diffuse"' mix difuse phong o.binary
-refused 1 'turned about its normal' mix diffuse ashikhminshirley:exponent_u=10,exponent_v=900 o.binary
+refused 1 '^brdfcl: ashikhminshirley:.*turned about its normal' mix diffuse ashikhminshirley:exponent_u=10,exponent_v=900 o.binary
 
 # --- edit ------------------------------------------------------------------------------------------
 

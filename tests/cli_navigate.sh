@@ -35,6 +35,10 @@ refused 1 'did you mean .gloss.' navigate --list set.txt --trait glos=1 -o new.b
 refused 1 'such as gloss=1.5' navigate --list set.txt --trait gloss -o new.binary
 refused 1 'has 4 coordinates' navigate --list set.txt --at 1,2,3,4 -o new.binary
 refused 1 'nonexistent.txt' navigate --list nonexistent.txt
+printf '# two\nplain diffuse\ngone nonexistent.binary\n' >broken.txt
+made="set.txt broken.txt"
+refused 1 'broken.txt:3: nonexistent.binary: cannot be opened' navigate --list broken.txt
+rm broken.txt
 mkdir folder
 made='set.txt folder'
 refused 1 'holds no .binary' navigate folder

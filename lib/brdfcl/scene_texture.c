@@ -134,7 +134,7 @@ static brdf_status texture_bitmap(struct scene_loader *loader, struct xml_node *
     brdf_status status;
     scene_matrix_identity(to_uv);
     status = scene_slots_read(loader, node, slots, COUNT(slots), "");
-    if (!status && !filename) {
+    if (!status && (!filename || !*filename)) {
         status = scene_fail(loader, node, BRDF_BAD_FILE, "a bitmap needs a filename");
     }
     if (!status) {

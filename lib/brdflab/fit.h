@@ -39,7 +39,8 @@ struct lab_fit_options {
     enum lab_fit_metric metric;
     int starts;             /* local searches, each from another place; 1 to 1000 */
     unsigned seed;          /* where the places begin */
-    size_t evaluations_max; /* of the error, in each local search */
+    size_t evaluations_max; /* of the error, in each walk of a local search; its last steps
+                               come on top */
     int (*progress)(const struct lab_fit_progress *state, void *data); /* not 0: stop; or NULL */
     void *data;                                                        /* for `progress` */
 };

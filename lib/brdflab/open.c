@@ -27,11 +27,23 @@ static brdf_status refuse(const char *text, int reason, struct brdf_error *error
     size_t length = strcspn(text, ":");
     snprintf(name, sizeof name, "%.*s", (int)(length < 60 ? length : 60), text);
     const char *nearest = brdf_model_nearest(name);
+    if (!*text) {
+        return brdf_fail(error, BRDF_UNKNOWN_NAME,
+                         "the name of a material is empty: expected a measured file (.binary, "
+                         ".bsdf) or a material such as roughconductor:material=Au,alpha=0.2");
+    }
     if (reason == ENOENT && nearest) {
         return brdf_fail(error, BRDF_UNKNOWN_NAME,
                          "%s: there is no such file, and no model is called \"%s\"; did you mean "
                          "\"%s\"?",
                          text, name, nearest);
+    }
+    if (reason == ENOENT && !strpbrk(name, "./")) {
+        return brdf_fail(
+            error, BRDF_UNKNOWN_NAME,
+            "%s: there is no such file, and no model is called \"%s\"; 'brdfcl models' "
+            "lists them",
+            text, name);
     }
     return brdf_fail(error, BRDF_IO,
                      "%s: cannot be opened: %s; expected a measured file (.binary, .bsdf) or a "
@@ -45,8 +57,12 @@ brdf_status lab_format_of(const char *text, enum lab_format *format, struct brdf
     struct stat info;
     char begin[sizeof rgl] = "";
     *format = LAB_FORMAT_NONE;
+    /* First: `wood` is the model also where there is a folder of that name; ./wood is not. */
+    if (is_description(text)) {
+        return BRDF_OK;
+    }
     if (stat(text, &info) != 0) {
-        return is_description(text) ? BRDF_OK : refuse(text, errno, error);
+        return refuse(text, errno, error);
     }
     if (!S_ISREG(info.st_mode)) {
         return brdf_fail(error, BRDF_IO, "%s: is not a regular file but %s", text,
@@ -87,6 +103,7 @@ brdf_status lab_open_merl(const char *text, struct brdf_merl_file *file, enum la
                           struct brdf_error *error)
 {
     struct brdf_bsdf *bsdf = NULL;
+    struct brdf_error reason = {BRDF_OK, ""};
     memset(file, 0, sizeof *file);
     brdf_status status = lab_format_of(text, format, error);
     if (status == BRDF_OK && *format == LAB_FORMAT_MERL) {
@@ -96,7 +113,10 @@ brdf_status lab_open_merl(const char *text, struct brdf_merl_file *file, enum la
         status = lab_open(text, &bsdf, NULL, error);
     }
     if (status == BRDF_OK) {
-        status = lab_bake_merl(bsdf, file, error);
+        status = lab_bake_merl(bsdf, file, &reason);
+    }
+    if (reason.status) { /* which one of several materials it was */
+        status = brdf_fail(error, reason.status, "%s: %s", text, reason.message);
     }
     brdf_bsdf_destroy(bsdf);
     return status;
