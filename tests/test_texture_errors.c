@@ -41,6 +41,8 @@ static void bitmaps(void **state)
 {
     static const struct scene_mistake mistakes[] = {
         {BITMAP(""), 3, BRDF_BAD_FILE, "a bitmap needs a filename"},
+        {BITMAP("<string name='filename' value=''/>"), 3, BRDF_BAD_FILE,
+         "a bitmap needs a filename"},
         {BITMAP(FILE_NAME("missing.png")), 3, BRDF_IO, "missing.png"},
         {BITMAP(FILE_NAME("text.png")), 3, BRDF_BAD_FILE, "text.png"},
         {BITMAP(FILE_NAME("nan.exr")), 3, BRDF_BAD_FILE, "pixel (1, 0)"},
