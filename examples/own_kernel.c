@@ -23,7 +23,7 @@ static const char kernel_text[] =
     "kernel void evaluate(global const float *direction, global float *f)\n"
     "{\n"
     "    size_t i = get_global_id(0);\n"
-    "    struct brdf_roughconductor p;\n"
+    "    struct brdf_roughconductor p = {0}; /* every option its first */\n"
     "    p.distribution = 0;\n"
     "    p.masking = 0;\n"
     "    p.eta = brdf_rgb_make(0.2586f, 1.0428f, 1.3037f);\n"
