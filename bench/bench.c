@@ -48,7 +48,7 @@ static int read_command_line(struct bench *bench, int argc, char **argv)
          "OpenCL device: its number or a part of its name"},
     };
     const struct usage usage = {
-        "bench", "[BSDF...]", summary, options, sizeof options / sizeof options[0], 0, 64};
+        "bench", "[BSDF|FILE...]", summary, options, sizeof options / sizeof options[0], 0, 64};
     int status = options_read(&usage, argc, argv, &bench->materials);
     bench->seconds = bench->quick ? 0.01 : 0.05;
     bench->rounds = bench->rounds ? bench->rounds : bench->quick ? 5 : 7;

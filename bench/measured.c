@@ -10,6 +10,7 @@
 #include <brdf/rgl.h>
 
 #include "arrays.h"
+#include "brdflab/open.h"
 
 static void copper(const double wo[3], const double wi[3], double rgb[3], void *data)
 {
@@ -105,7 +106,7 @@ brdf_status measured_bsdf_create(const char *description, struct brdf_bsdf **out
     const struct brdf_model_info *model = brdf_model_find(description);
     *out = NULL;
     if (!model || !(model->flags & BRDF_TABULATED)) {
-        return brdf_bsdf_create(description, out, error);
+        return lab_open(description, out, NULL, error);
     }
     for (size_t i = 0; i < sizeof formats / sizeof formats[0]; ++i) {
         if (strcmp(model->name, formats[i].model) == 0) {

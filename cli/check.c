@@ -7,6 +7,7 @@
 #include <brdfcl/check.h>
 
 #include "arrays.h"
+#include "brdflab/open.h"
 #include "commands.h"
 #include "options.h"
 #include "say.h"
@@ -16,7 +17,7 @@ static const char summary[] =
     "numbers\n"
     "and random parameters of each model (all if none is named), or of one material where a "
     "description\n"
-    "such as merl:filename=gold.binary is given. Exit status 1 if any bit differs.";
+    "such as ward:alpha=0.2 or a measured file is given. Exit status 1 if any bit differs.";
 
 static const int all_lanes[] = {1, 4, 8, 16};
 enum { LANES = sizeof all_lanes / sizeof all_lanes[0], BATCH = 1 << 20 };
@@ -74,7 +75,7 @@ static brdf_status check_material(struct check_run *run, const char *description
 {
     struct brdf_bsdf *bsdf = NULL;
     struct brdfcl_evaluator *evaluator = NULL;
-    brdf_status status = brdf_bsdf_create(description, &bsdf, error);
+    brdf_status status = lab_open(description, &bsdf, NULL, error);
     if (!status) {
         status = brdfcl_evaluator_create(device, bsdf, &evaluator, error);
     }
@@ -121,7 +122,7 @@ static brdf_status check_names(const struct texts *names, struct brdf_error *err
         if (brdf_model_find(names->item[i])) {
             continue;
         }
-        brdf_status status = brdf_bsdf_create(names->item[i], &bsdf, error);
+        brdf_status status = lab_open(names->item[i], &bsdf, NULL, error);
         if (status) {
             return status;
         }
@@ -142,7 +143,8 @@ int command_check(int argc, char **argv)
         {"seed", 0, OPTION_INT, &seed, "N", 0, 2147483647, "another seed, other calls"},
     };
     const struct usage usage = {
-        "check", "[MODEL...]", summary, options, sizeof options / sizeof options[0], 0, 64};
+        "check", "[MODEL|BSDF|FILE...]", summary, options, sizeof options / sizeof options[0], 0,
+        64};
     struct texts names;
     int exit_status = options_read(&usage, argc, argv, &names);
     if (exit_status != OPTIONS_GO_ON) {

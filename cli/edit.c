@@ -24,7 +24,8 @@ struct edit_run {
     const char *in;
     const char *out;
     struct lab_edit edit;
-    int part; /* enum lab_edit_part */
+    int part;               /* enum lab_edit_part */
+    enum lab_format format; /* of what is edited */
 };
 
 static int read_command_line(struct edit_run *run, int argc, char **argv)
@@ -64,15 +65,14 @@ static int read_command_line(struct edit_run *run, int argc, char **argv)
     return status;
 }
 
-static brdf_status edit_and_write(const struct edit_run *run, struct brdf_error *error)
+static brdf_status edit_and_write(struct edit_run *run, struct brdf_error *error)
 {
     struct brdf_merl_file file = {0}, edited = {0};
-    enum lab_format format;
     brdf_status status = measured_check(run->out, error);
     if (!status) {
-        status = lab_open_merl(run->in, &file, &format, error);
+        status = measured_open(run->in, &file, &run->format, error);
     }
-    if (!status && format == LAB_FORMAT_MERL && lab_edit_is_nothing(&run->edit)) {
+    if (!status && run->format == LAB_FORMAT_MERL && lab_edit_is_nothing(&run->edit)) {
         status = measured_copy(run->in, run->out, error);
     } else if (!status) {
         status = lab_edit_merl(&file, &run->edit, &edited, error);
@@ -81,6 +81,15 @@ static brdf_status edit_and_write(const struct edit_run *run, struct brdf_error 
     brdf_merl_free(&edited);
     brdf_merl_free(&file);
     return status;
+}
+
+/* What became of the material. */
+static const char *outcome(const struct edit_run *run)
+{
+    if (!lab_edit_is_nothing(&run->edit)) {
+        return "edited";
+    }
+    return run->format == LAB_FORMAT_MERL ? "unchanged" : "baked, and not edited";
 }
 
 int command_edit(int argc, char **argv)
@@ -93,8 +102,7 @@ int command_edit(int argc, char **argv)
     }
     brdf_status status = edit_and_write(&run, &error);
     if (!status) {
-        printf("%s: %s, %s\n", run.out, run.in,
-               lab_edit_is_nothing(&run.edit) ? "unchanged" : "edited");
+        printf("%s: %s, %s\n", run.out, run.in, outcome(&run));
     }
     return measured_exit(status, &error);
 }

@@ -41,8 +41,9 @@ static void print_fit(const struct lab_fit_options *options, const struct lab_fi
            metric_names[options->metric]);
     printf("           over %zu pairs of directions; black would have %.6g\n", fit->samples,
            fit->error_black);
-    printf("search     %.0f of %d starts ended within 1 %% of it, %zu evaluations\n",
-           fit->agreement * options->starts, options->starts, fit->evaluations);
+    printf("search     %.0f of %d starts ended within 1 %% of this error, %zu evaluations%s\n",
+           fit->agreement * options->starts, options->starts, fit->evaluations,
+           fit->agreement * options->starts < 1.5 ? "; more --starts may find a smaller one" : "");
     for (int i = 0; i < fit->part_count; ++i) {
         brdf_bsdf_describe(fit->parts[i], text, sizeof text);
         if (fit->part_count > 1) {

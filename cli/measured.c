@@ -1,9 +1,11 @@
 /* measured.c - measured files as results. */
 #include "measured.h"
 
+#include <stdio.h>
 #include <string.h>
 
 #include "brdfcl/atomic_file.h"
+#include "brdflab/compare.h"
 #include "brdflab/copy.h"
 #include "commands.h"
 #include "options.h"
@@ -29,6 +31,25 @@ int measured_format(const char *path, int wanted, enum lab_format *format)
                          path);
     }
     return OPTIONS_GO_ON;
+}
+
+brdf_status measured_open(const char *text, struct brdf_merl_file *file, enum lab_format *format,
+                          struct brdf_error *error)
+{
+    struct brdf_bsdf *bsdf = NULL;
+    struct lab_difference difference;
+    brdf_status status = lab_open_merl(text, file, format, error);
+    if (status || *format == LAB_FORMAT_MERL) {
+        return status;
+    }
+    status = lab_open(text, &bsdf, NULL, error);
+    status = status ? status : lab_compare_merl(bsdf, file, &difference, error);
+    if (!status) {
+        printf("%s: baked onto MERL's grid, which changed it by rms %.3g  mean %.3g  albedo %.2g\n",
+               text, difference.rms, difference.mean, difference.albedo);
+    }
+    brdf_bsdf_destroy(bsdf);
+    return status;
 }
 
 brdf_status measured_check(const char *path, struct brdf_error *error)

@@ -15,6 +15,13 @@
  */
 int measured_format(const char *path, int wanted, enum lab_format *format);
 
+/*
+ * lab_open_merl for commands that work on MERL's grid; prints how much baking changed what was no
+ * MERL file.
+ */
+brdf_status measured_open(const char *text, struct brdf_merl_file *file, enum lab_format *format,
+                          struct brdf_error *error);
+
 /* Can a file be written there? Asked before the work is done. BRDF_IO. */
 brdf_status measured_check(const char *path, struct brdf_error *error);
 

@@ -96,7 +96,7 @@ static brdf_status mix_and_write(struct mix_run *run, struct brdf_error *error)
     struct brdf_merl_file mixture = {0};
     brdf_status status = measured_check(run->out, error);
     for (size_t k = 0; k < run->count && !status; ++k) {
-        status = lab_open_merl(run->arguments.item[k], &run->files[k], &run->formats[k], error);
+        status = measured_open(run->arguments.item[k], &run->files[k], &run->formats[k], error);
     }
     if (status) {
         return status;

@@ -3,14 +3,26 @@
 #include <string.h>
 
 #include <brdf/info.h>
+#include <brdf/material.h>
 #include <brdf/substance.h>
 
+#include "brdflab/bake.h"
 #include "commands.h"
 #include "options.h"
 #include "say.h"
 
+/* Has a model that is not perfectly smooth a part that is, as it is initially? */
+static int has_delta_part(const struct brdf_model_info *model)
+{
+    struct brdf_bsdf *bsdf = NULL;
+    int has = !(model->flags & BRDF_DELTA) &&
+              brdf_bsdf_create(model->name, &bsdf, NULL) == BRDF_OK && lab_has_delta(bsdf);
+    brdf_bsdf_destroy(bsdf);
+    return has;
+}
+
 /* What a model is, in words. */
-static const char *flags_text(unsigned flags, char *text, size_t size)
+static const char *flags_text(const struct brdf_model_info *model, char *text, size_t size)
 {
     static const struct word {
         unsigned flag;
@@ -20,9 +32,9 @@ static const char *flags_text(unsigned flags, char *text, size_t size)
         {BRDF_DELTA, "delta"},         {BRDF_ANISOTROPIC, "anisotropic"},
         {BRDF_TABULATED, "measured"},  {BRDF_RECIPROCAL, "reciprocal"},
     };
-    text[0] = '\0';
+    snprintf(text, size, "%s", has_delta_part(model) ? "partly delta" : "");
     for (size_t i = 0; i < sizeof words / sizeof words[0]; ++i) {
-        if (flags & words[i].flag) {
+        if (model->flags & words[i].flag) {
             size_t used = strlen(text);
             snprintf(text + used, size - used, "%s%s", used ? ", " : "", words[i].text);
         }
@@ -48,8 +60,8 @@ static void list_models(void)
         const struct brdf_model_info *model = brdf_model_info(tag);
         char flags[128], aliases[128];
         printf("%-16s %s\n", model->name, model->summary);
-        printf("%-16s %s; %s%s\n", "", flags_text(model->flags, flags, sizeof flags),
-               model->reference, aliases_text(model, aliases, sizeof aliases));
+        printf("%-16s %s; %s%s\n", "", flags_text(model, flags, sizeof flags), model->reference,
+               aliases_text(model, aliases, sizeof aliases));
     }
 }
 
@@ -132,7 +144,7 @@ static void show_model(const struct brdf_model_info *model)
 {
     char flags[128], aliases[128];
     printf("%s: %s\n", model->name, model->summary);
-    printf("%s%s\n", flags_text(model->flags, flags, sizeof flags),
+    printf("%s%s\n", flags_text(model, flags, sizeof flags),
            aliases_text(model, aliases, sizeof aliases));
     printf("reference: %s\n", model->reference);
     for (size_t i = 0; i < model->parameter_count; ++i) {

@@ -75,6 +75,11 @@ static void print_map(const struct navigate_run *run)
         }
         printf("\n");
     }
+    if (basis->count <= components + 2) {
+        printf("\n%zu components fit %zu materials whatever they are: 'explained' means nothing "
+               "here, more\nmaterials or a smaller --components would\n",
+               components, basis->count);
+    }
     printf("\n%-24s  explained [%%] by the components\n", "traits");
     for (int t = 0; t < LAB_TRAITS; ++t) {
         printf("%-24s %7.1f  %s\n", lab_trait_name(t), 100.0 * basis->trait_explained[t],

@@ -2,6 +2,8 @@
  * test_fit.c - fits find the parameters that their targets were made with, and say what they
  * cannot.
  */
+#define _POSIX_C_SOURCE 200809L
+
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -16,6 +18,7 @@
 
 #include "fit.h"
 #include "fit_space.h"
+#include "lab_files.h"
 #include "scene_text.h"
 
 static struct brdf_bsdf *bsdf_of(const char *description)
@@ -109,6 +112,29 @@ static void test_parameters_come_back(void **state)
     recovers("lommelseeliger:albedo=0.2/0.4/0.6", "lommelseeliger", NULL);
 }
 
+/* Through a measured file: interpolating between its bins costs some precision. */
+static void test_baked_file(void **state)
+{
+    (void)state;
+    struct brdf_merl_file file =
+        lab_test_bake("ward:alpha=0.25,specular_reflectance=0.1,diffuse_reflectance=0.3/0.2/0.1");
+    struct brdf_bsdf *target = lab_test_load(&file, "interpolation=linear");
+    struct brdf_bsdf *wanted =
+        bsdf_of("ward:alpha=0.25,specular_reflectance=0.1,diffuse_reflectance=0.3/0.2/0.1");
+    struct lab_fit_options options = lab_fit_defaults("ward");
+    struct lab_fit_result fit;
+    struct brdf_error error = {BRDF_OK, ""};
+    options.starts = 1;
+    options.evaluations_max = 500;
+    assert_int_equal(lab_fit(target, &options, &fit, &error), BRDF_OK);
+    assert_true(fit.error > 0.0 && fit.error < 0.01 * fit.error_black);
+    assert_recovered(wanted, fit.parts[0]);
+    lab_fit_free(&fit);
+    brdf_bsdf_destroy(wanted);
+    brdf_bsdf_destroy(target);
+    brdf_merl_free(&file);
+}
+
 /* Roughness along both tangents, which an isotropic fit would have to take as one. */
 static void test_anisotropy_comes_back(void **state)
 {
@@ -180,8 +206,11 @@ static void test_failures(void **state)
     fails("diffuse", options, BRDF_UNKNOWN_NAME, "ward");
     options = lab_fit_defaults("dielectric");
     fails("diffuse", options, BRDF_UNSUPPORTED, "take another model");
+    options = lab_fit_defaults("plastic");
+    fails("diffuse", options, BRDF_UNSUPPORTED, "take another model");
     options = lab_fit_defaults("ward");
     fails("conductor", options, BRDF_UNSUPPORTED, "smooth");
+    fails("plastic", options, BRDF_UNSUPPORTED, "smooth");
     fails("diffuse:reflectance=0", options, BRDF_UNSUPPORTED, "black");
     options.diffuse = 1;
     fails("diffuse", options, BRDF_BAD_ARGUMENT, "diffuse part");
@@ -226,6 +255,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_parameters_come_back),
+        cmocka_unit_test(test_baked_file),
         cmocka_unit_test(test_anisotropy_comes_back),
         cmocka_unit_test(test_blend),
         cmocka_unit_test(test_failures),

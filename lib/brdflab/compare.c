@@ -2,9 +2,13 @@
 #include "compare.h"
 
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include <brdf/warp.h>
 
+#include "brdf/bsdf.h"
+#include "brdf/merl_table.h"
 #include "lattice.h"
 
 static const double pi = 3.14159265358979323846;
@@ -95,4 +99,42 @@ struct lab_difference lab_compare(const struct brdf_bsdf *f, const struct brdf_b
     result.rms = all.square_of_f > 0.0 ? sqrt(all.square / all.square_of_f) : sqrt(all.square);
     result.mean = all.of_f > 0.0 ? all.absolute / all.of_f : all.absolute;
     return result;
+}
+
+/* A table as the model merl reads it from a file, without the file. */
+static brdf_status bsdf_of_merl(const struct brdf_merl_file *file, struct brdf_bsdf *bsdf,
+                                struct brdf_error *error)
+{
+    struct brdf_setting name = brdf_setting_text("filename", "a table in memory");
+    const struct brdf_model_info *model = brdf_model_info(BRDF_MODEL_MERL);
+    brdf_status status = brdf_settings_apply(bsdf, model, &name, 1, NULL, error);
+    if (!status) {
+        bsdf->parameters =
+            brdf_parameters_load(bsdf->material.model, bsdf->material.choices, bsdf->material.word);
+        status = brdf_merl_table_build(file, &bsdf->table, &bsdf->table_words, error);
+    }
+    return status;
+}
+
+brdf_status lab_compare_merl(const struct brdf_bsdf *f, const struct brdf_merl_file *g,
+                             struct lab_difference *difference, struct brdf_error *error)
+{
+    struct brdf_merl_file filled = {0};
+    struct brdf_bsdf bsdf = {0};
+    brdf_status status = brdf_merl_create(&filled, error);
+    if (!status) {
+        memcpy(filled.rgb, g->rgb, g->bins * 3 * sizeof *g->rgb);
+        filled.invalid = g->invalid;
+        status = brdf_merl_fill(&filled, error);
+    }
+    if (!status) {
+        status = bsdf_of_merl(&filled, &bsdf, error);
+    }
+    if (!status) {
+        *difference = lab_compare(f, &bsdf);
+    }
+    free(bsdf.table);
+    free(bsdf.file[0]);
+    brdf_merl_free(&filled);
+    return status;
 }

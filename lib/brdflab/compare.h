@@ -5,6 +5,7 @@
 #define BRDFLAB_COMPARE_H
 
 #include <brdf/material.h>
+#include <brdf/merl.h>
 
 /*
  * The differences of f from g over pairs of directions above the surface: theta_o from 5 to 85
@@ -21,5 +22,10 @@ struct lab_difference {
 };
 
 struct lab_difference lab_compare(const struct brdf_bsdf *f, const struct brdf_bsdf *g);
+
+/* The same where g is a table in memory, such as f baked. BRDF_OUT_OF_MEMORY; those of
+   brdf_merl_fill. */
+brdf_status lab_compare_merl(const struct brdf_bsdf *f, const struct brdf_merl_file *g,
+                             struct lab_difference *difference, struct brdf_error *error);
 
 #endif

@@ -7,6 +7,7 @@
 
 #include <brdf/model.h>
 
+#include "bake.h"
 #include "fit_search.h"
 
 enum { TRIES_A_START = 64 };
@@ -79,9 +80,14 @@ static brdf_status check_options(const struct lab_fit_options *options,
         return brdf_fail(error, BRDF_BAD_ARGUMENT,
                          "a fit takes 1 or 2 lobes, 1 to 1000 starts and 1 to 1000000 evaluations");
     }
-    if (brdf_bsdf_material(target)->flags & BRDF_DELTA) {
-        return brdf_fail(error, BRDF_UNSUPPORTED,
-                         "a perfectly smooth material has no values to fit");
+    const struct brdf_material *material = brdf_bsdf_material(target);
+    if (material->flags & BRDF_DELTA || lab_has_delta(target)) {
+        return brdf_fail(
+            error, BRDF_UNSUPPORTED,
+            "%s has a perfectly smooth part: what that reflects into the mirror direction has "
+            "no values to compare, and a fit would not know of it; take a rough "
+            "model of small alpha",
+            brdf_model_info((int)material->model)->name);
     }
     return BRDF_OK;
 }

@@ -6,6 +6,7 @@
 
 #include <brdf/model.h>
 
+#include "bake.h"
 #include "fit_part.h"
 
 /* Is `name` one of the names in a list? */
@@ -193,11 +194,14 @@ brdf_status fit_part_make(struct fit_part *part, const char *model,
     }
     const struct brdf_material *material = brdf_bsdf_material(bsdf);
     part->model = brdf_model_info((int)material->model);
-    if (material->flags & BRDF_DELTA || part->model->parameter_count > FIT_SETTINGS) {
+    if (material->flags & BRDF_DELTA || lab_has_delta(bsdf)) {
         status = brdf_fail(error, BRDF_UNSUPPORTED,
-                           "%s cannot be fitted: it has no lobe with parameters to search; take "
-                           "another model, such as roughconductor or ward",
+                           "%s cannot be fitted: its mirror direction has no values to compare; "
+                           "take another model, such as roughconductor, roughplastic or ward",
                            part->model->name);
+    } else if (part->model->parameter_count > FIT_SETTINGS) {
+        status = brdf_fail(error, BRDF_UNSUPPORTED, "%s cannot be fitted: it has %zu parameters",
+                           part->model->name, part->model->parameter_count);
     } else {
         status =
             part_fill(part, material, description, options, model ? options->free : NULL, error);

@@ -24,7 +24,7 @@ static double coordinate_value(const struct fit_coordinate *c, double t)
 
 /*
  * A metal is searched by its reflectance r at the normal and the tint g of its edge, in place of
- * eta and k, and turned back [Gulbrandsen 2014, equations 5 and 6]: r is what a measurement shows,
+ * eta and k, and turned back [Gulbrandsen 2014]: r is what a measurement shows,
  * while eta and k of a bright metal can change by factors and hardly change the picture.
  */
 #define REFLECTANCE_MAX 0.9999
