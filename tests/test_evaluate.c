@@ -166,12 +166,15 @@ static struct brdfcl_device *open_device(int lanes)
     return device;
 }
 
-static void every_model_has_the_bits_of_c(void **state)
+/* A model of each kind: what is tested here is how arrays get there and back. That all models have
+   the bits of C is for test_models_opencl. */
+static void models_have_the_bits_of_c(void **state)
 {
     (void)state;
+    const char *const models[] = {"diffuse", "dielectric", "roughdielectric", "plastic", "merl"};
     struct brdfcl_device *device = open_device(0);
-    for (int tag = 0; tag < brdf_model_count(); ++tag) {
-        check_material(device, brdf_model_info(tag)->name);
+    for (size_t i = 0; i < sizeof models / sizeof models[0]; ++i) {
+        check_material(device, models[i]);
     }
     brdfcl_device_close(device);
 }
@@ -261,7 +264,7 @@ static void too_many_elements_are_refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_model_has_the_bits_of_c),
+        cmocka_unit_test(models_have_the_bits_of_c),
         cmocka_unit_test(every_lane_count_has_the_bits_of_c),
         cmocka_unit_test(arrays_that_are_not_wanted_may_be_missing),
         cmocka_unit_test(a_call_is_repeated_in_place),
