@@ -19,9 +19,11 @@ static const char summary[] =
     "energy,\n"
     "the mass of its density, and whether its samples have that density (chi-square). For each "
     "test what\n"
-    "was measured, the limit, and where it was the worst; 'open' is what could not be told. Exit "
-    "status 1\n"
-    "if a test fails. With --all the cases of every model, or of the models named: initial and "
+    "was measured, the limit, and where it was the worst; 'open' is what could not be told, "
+    "'note'\n"
+    "what is beyond its limit as the data or the parameters ask for it. Exit status 1 if a test "
+    "fails.\n"
+    "With --all the cases of every model, or of the models named: initial and "
     "random\n"
     "parameters in every variant.";
 
@@ -31,6 +33,7 @@ void test_note(struct test_run *run, const struct lab_finding *finding)
     run->failed += finding->verdict == LAB_FAIL;
     run->open += finding->verdict == LAB_OPEN;
     run->passed += finding->verdict == LAB_PASS;
+    run->noted += finding->verdict == LAB_NOTE;
     json_object(json, NULL);
     json_text(json, "test", lab_test_name(finding->test));
     json_real(json, "angle", finding->angle);
@@ -55,7 +58,7 @@ static void report(const struct lab_finding *finding, void *data)
     if (!isnan(finding->angle)) {
         snprintf(angle, sizeof angle, "%.0f", finding->angle);
     }
-    if (finding->verdict == LAB_PASS || finding->verdict == LAB_FAIL) {
+    if (finding->verdict != LAB_OPEN && finding->verdict != LAB_NONE) {
         snprintf(measured, sizeof measured, "%.4g", finding->measured);
         snprintf(limit, sizeof limit, "%s %.4g", finding->at_least ? ">=" : "<=", finding->limit);
     }
@@ -99,11 +102,13 @@ static brdf_status test_all(struct test_run *run, int all, const struct texts *a
         json_int(json, "passed", (long long)run->passed);
         json_int(json, "failed", (long long)run->failed);
         json_int(json, "open", (long long)run->open);
+        json_int(json, "noted", (long long)run->noted);
         json_object_end(json);
         status = run->json_path ? json_write(json, run->json_path, error) : BRDF_OK;
     }
     if (!status && run->is_printing) {
-        printf("%zu passed, %zu failed, %zu open\n", run->passed, run->failed, run->open);
+        printf("%zu passed, %zu failed, %zu open, %zu noted\n", run->passed, run->failed, run->open,
+               run->noted);
     }
     return status;
 }

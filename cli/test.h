@@ -16,6 +16,7 @@ struct test_run {
     size_t failed; /* findings */
     size_t open;
     size_t passed;
+    size_t noted;
 };
 
 /* Count a finding, and put it into the array of the JSON that is open. */

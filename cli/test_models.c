@@ -24,7 +24,8 @@ struct tally {
 static void keep_worst(struct tally *tally, const struct lab_finding *finding)
 {
     double *worst = &tally->worst[finding->test];
-    int decided = finding->verdict == LAB_PASS || finding->verdict == LAB_FAIL;
+    int decided = finding->verdict == LAB_PASS || finding->verdict == LAB_FAIL ||
+                  finding->verdict == LAB_NOTE;
     int worse = finding->at_least ? !(finding->measured >= *worst) : !(finding->measured <= *worst);
     if (decided && (isnan(*worst) || worse)) {
         *worst = finding->measured;
@@ -38,7 +39,7 @@ static void report(const struct lab_finding *finding, void *data)
     keep_worst(tally, finding);
     if (finding->test == LAB_TEST_ENERGY && finding->verdict == LAB_FAIL) {
         /* Random parameters may well ask for more light than there is. */
-        lab_finding_set(&noted, LAB_OPEN, "more light than there is, as the parameters may ask");
+        lab_finding_set(&noted, LAB_NOTE, "more light than there is, as the parameters may ask");
     }
     tally->views += noted.test == LAB_TEST_CHI2 && noted.verdict != LAB_NONE;
     tally->open += noted.test == LAB_TEST_CHI2 && noted.verdict == LAB_OPEN;

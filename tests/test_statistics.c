@@ -126,7 +126,8 @@ static void cells_follow_a_lobe(void **state)
             struct lab_sphere *sphere = lab_sphere_create(pilot, 2000);
             assert_non_null(sphere);
             double area = 2.0 * pi * (1.0 - exp(-2.0 * sharpness)) / sharpness;
-            struct lab_sphere_sum sum = lab_sphere_integrate(sphere, lobe_value, &lobe, 1e-5, 1.0);
+            struct lab_sphere_sum sum =
+                lab_sphere_integrate(sphere, lobe_value, &lobe, LAB_SPHERE_DEPTH, 1e-5, 1.0);
             assert_close(sum.value / area, 1.0, 1e-3);
             assert_close(sum.error, 0.0, 1e-4 * area);
             for (int k = 0; k < 2000; ++k) {

@@ -78,7 +78,8 @@ static brdf_status view_open(struct view *view, const struct brdf_bsdf *bsdf, in
         return brdf_fail(error, BRDF_OUT_OF_MEMORY, "out of memory for the cells of a test");
     }
     if (count) {
-        view->mass = lab_sphere_integrate(view->sphere, density, view, 1e-3, UNRESOLVED);
+        view->mass = lab_sphere_integrate(view->sphere, density, view, lab_sphere_depth(bsdf), 1e-3,
+                                          UNRESOLVED);
     }
     return BRDF_OK;
 }

@@ -7,6 +7,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include <brdf/model.h>
+
 #include "albedo.h"
 #include "lattice.h"
 
@@ -65,7 +67,7 @@ brdf_status lab_energy_integrated(const struct brdf_bsdf *bsdf, brdf_vec3 wo,
     if (!sphere) {
         return brdf_fail(error, BRDF_OUT_OF_MEMORY, "out of memory for the cells of an integral");
     }
-    *sum = lab_sphere_integrate(sphere, f_cos, &view, 1e-4, 1e-3);
+    *sum = lab_sphere_integrate(sphere, f_cos, &view, LAB_SPHERE_DEPTH, 1e-4, 1e-3);
     lab_sphere_destroy(sphere);
     return BRDF_OK;
 }
@@ -137,5 +139,10 @@ struct lab_finding lab_try_energy(const struct brdf_bsdf *bsdf, brdf_vec3 wo, si
     finding.limit = 1.0 + 1e-3 + 4.0 * albedo.error;
     snprintf(finding.detail, sizeof finding.detail, "of the light leaves again, largest channel");
     lab_finding_judge(&finding);
+    int is_measured = (brdf_bsdf_material(bsdf)->flags & BRDF_TABULATED) != 0;
+    if (is_measured && finding.verdict == LAB_FAIL && isfinite(finding.measured)) {
+        lab_finding_set(&finding, LAB_NOTE,
+                        "more light leaves than comes: so it was measured, largest channel");
+    }
     return finding;
 }

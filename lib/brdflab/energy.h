@@ -35,7 +35,8 @@ brdf_status lab_energy_integrated(const struct brdf_bsdf *bsdf, brdf_vec3 wo,
 brdf_status lab_try_albedo(const struct brdf_bsdf *bsdf, brdf_vec3 wo, size_t samples,
                            struct lab_finding *finding, struct brdf_error *error);
 
-/* The share of light that leaves again (albedo.h), largest channel; it should not exceed 1. */
+/* The share of light that leaves again (albedo.h), largest channel; it should not exceed 1, which
+   in a measured material is the data's matter: LAB_NOTE. */
 struct lab_finding lab_try_energy(const struct brdf_bsdf *bsdf, brdf_vec3 wo, size_t samples);
 
 #endif

@@ -54,6 +54,6 @@ const char *lab_test_name(int test)
 
 const char *lab_verdict_name(int verdict)
 {
-    static const char *const names[] = {"pass", "FAIL", "open", "-"};
-    return verdict >= LAB_PASS && verdict <= LAB_NONE ? names[verdict] : "?";
+    static const char *const names[] = {"pass", "FAIL", "open", "-", "note"};
+    return verdict >= LAB_PASS && verdict <= LAB_NOTE ? names[verdict] : "?";
 }

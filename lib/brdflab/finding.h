@@ -24,7 +24,8 @@ enum lab_verdict {
     LAB_PASS,
     LAB_FAIL,
     LAB_OPEN, /* applies, but could not be told: `detail` says why */
-    LAB_NONE  /* does not apply: `detail` says why */
+    LAB_NONE, /* does not apply: `detail` says why */
+    LAB_NOTE  /* beyond its limit, but that is no fault of the model: `detail` says whose */
 };
 
 struct lab_finding {

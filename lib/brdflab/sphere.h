@@ -10,6 +10,7 @@
 
 #include <stddef.h>
 
+#include <brdf/material.h>
 #include <brdf/vec.h>
 
 struct lab_sphere_node {
@@ -46,10 +47,18 @@ struct lab_sphere_sum {
 };
 
 /*
- * Integrate f over each cell, to about `tolerance` of its value; f should be large where the pilot
- * directions are dense. Gives up as soon as the error exceeds `give_up`: f is not resolved.
+ * Integrate f over each cell, to about `tolerance` of its value, quartering it up to `depth` times;
+ * f should be large where the pilot directions are dense. Gives up as soon as the error exceeds
+ * `give_up`: f is not resolved.
  */
+enum {
+    LAB_SPHERE_DEPTH = 3,      /* enough for what is smooth */
+    LAB_SPHERE_DEPTH_STEPS = 6 /* for what jumps, as the density of a table does between its bins */
+};
 struct lab_sphere_sum lab_sphere_integrate(struct lab_sphere *sphere, lab_sphere_function *f,
-                                           void *data, double tolerance, double give_up);
+                                           void *data, int depth, double tolerance, double give_up);
+
+/* The depth that the density of a material needs. */
+int lab_sphere_depth(const struct brdf_bsdf *bsdf);
 
 #endif

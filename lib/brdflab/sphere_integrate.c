@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-enum { DEPTH = 3 }; /* of the subdivision of one cell */
+#include <brdf/model.h>
 
 static const double pi = 3.14159265358979323846;
 
@@ -97,14 +97,14 @@ static double search(struct integrand *integrand, const struct lab_sphere_node *
 }
 
 struct lab_sphere_sum lab_sphere_integrate(struct lab_sphere *sphere, lab_sphere_function *f,
-                                           void *data, double tolerance, double give_up)
+                                           void *data, int depth, double tolerance, double give_up)
 {
     struct integrand integrand = {f, data, tolerance, 0.0};
     struct lab_sphere_sum sum = {0.0, 0.0};
     for (size_t i = 0; i < sphere->count && integrand.error <= give_up; ++i) {
         struct lab_sphere_node *node = &sphere->nodes[i];
         if (node->child < 0) {
-            node->integral = refine(&integrand, node, gauss(&integrand, node), DEPTH);
+            node->integral = refine(&integrand, node, gauss(&integrand, node), depth);
             sum.value += node->integral;
         }
     }
@@ -121,4 +121,10 @@ struct lab_sphere_sum lab_sphere_integrate(struct lab_sphere *sphere, lab_sphere
     }
     sum.error = integrand.error;
     return sum;
+}
+
+int lab_sphere_depth(const struct brdf_bsdf *bsdf)
+{
+    int jumps = (brdf_bsdf_material(bsdf)->flags & BRDF_TABULATED) != 0;
+    return jumps ? LAB_SPHERE_DEPTH_STEPS : LAB_SPHERE_DEPTH;
 }
