@@ -90,6 +90,14 @@ BRDF_API int brdf_parameter_item(const struct brdf_parameter_info *parameter, in
 BRDF_API const char *brdf_choices_refused(const struct brdf_model_info *model, unsigned choices,
                                           char *text, size_t size);
 
+/*
+ * Why a REAL or a channel of a COLOR cannot have a value, as a sentence written to `text`, at most
+ * `size` bytes with the terminator; NULL if it can. `name` is what the parameter was called: its
+ * own name or that of an alias.
+ */
+BRDF_API const char *brdf_value_refused(const struct brdf_parameter_info *parameter,
+                                        const char *name, float value, char *text, size_t size);
+
 /* The kind in small letters: "choice", "real", ...; "unknown" if it is none of the above. */
 BRDF_API const char *brdf_kind_name(int kind);
 

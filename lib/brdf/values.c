@@ -38,20 +38,37 @@ void brdf_draft_list(char *list, size_t size, const char *name)
     snprintf(list + length, size - length, "%s%s", length ? ", " : "", name);
 }
 
-/* Store 1 or 3 numbers; a NaN is in no range. */
+const char *brdf_value_refused(const struct brdf_parameter_info *p, const char *name, float value,
+                               char *text, size_t size)
+{
+    char number[BRDF_NUMBER_SIZE], low[BRDF_NUMBER_SIZE], high[BRDF_NUMBER_SIZE];
+    char unit[40] = "";
+    if (value >= p->low && value <= p->high) { /* a NaN is in no range */
+        return NULL;
+    }
+    brdf_number_write(number, value);
+    brdf_number_write(low, p->low);
+    brdf_number_write(high, p->high);
+    if (strcmp(p->unit, "1") != 0 && strcmp(p->unit, "ior") != 0) { /* the meaning says these */
+        snprintf(unit, sizeof unit, " %.32s", p->unit);
+    }
+    int wants_smooth = value == 0.0f && strncmp(p->name, "alpha", 5) == 0;
+    snprintf(text, size, "%.64s = %s is not in its range, %s to %s%s (%s)%s", name, number, low,
+             high, unit, p->meaning,
+             wants_smooth ? "; smooth surfaces are the models conductor, dielectric and plastic"
+                          : "");
+    return text;
+}
+
+/* Store 1 or 3 numbers. */
 static brdf_status store(const struct brdf_draft *d, const struct brdf_parameter_info *p,
                          const float *x, int count)
 {
     int place = brdf_parameter_place(d->model, p);
     for (int i = 0; i < count; ++i) {
-        if (!(x[i] >= p->low && x[i] <= p->high)) {
-            char value[BRDF_NUMBER_SIZE], low[BRDF_NUMBER_SIZE], high[BRDF_NUMBER_SIZE];
-            brdf_number_write(value, x[i]);
-            brdf_number_write(low, p->low);
-            brdf_number_write(high, p->high);
-            return brdf_draft_refuse(d, BRDF_OUT_OF_RANGE,
-                                     "%s = %s is not in its range, %s to %s (unit %s)", p->name,
-                                     value, low, high, p->unit);
+        char text[400];
+        if (brdf_value_refused(p, d->setting->name, x[i], text, sizeof text)) {
+            return brdf_draft_refuse(d, BRDF_OUT_OF_RANGE, "%s", text);
         }
         d->bsdf->material.word[place + i] = x[i];
     }

@@ -60,15 +60,13 @@ static brdf_status bsdf_claim(const struct scene_loader *loader, const struct xm
 
 /* Here and not only in libbrdf, so that the message has the line of the parameter. */
 static brdf_status bsdf_check_range(const struct scene_loader *loader, const struct xml_node *node,
-                                    const struct brdf_parameter_info *parameter,
+                                    const struct brdf_parameter_info *limits, const char *name,
                                     const double *numbers, int count)
 {
+    char text[400];
     for (int i = 0; i < count; ++i) {
-        double x = (double)(float)numbers[i];
-        if (!(x >= (double)parameter->low && x <= (double)parameter->high)) {
-            return scene_fail(loader, node, BRDF_OUT_OF_RANGE, "%s = %s: expected %g to %g",
-                              parameter->name, xml_attribute_get(node, "value"),
-                              (double)parameter->low, (double)parameter->high);
+        if (brdf_value_refused(limits, name, (float)numbers[i], text, sizeof text)) {
+            return scene_fail(loader, node, BRDF_OUT_OF_RANGE, "%s", text);
         }
     }
     return BRDF_OK;
@@ -109,7 +107,7 @@ static brdf_status bsdf_read_numbers(const struct scene_loader *loader, const st
     status = is_rgb ? scene_value_color(loader, node, numbers)
                     : scene_value_number(loader, node, text, numbers);
     if (!status) {
-        status = bsdf_check_range(loader, node, limits, numbers, is_rgb ? 3 : 1);
+        status = bsdf_check_range(loader, node, limits, parameter->name, numbers, is_rgb ? 3 : 1);
     }
     if (is_rgb) {
         *setting = brdf_setting_color(parameter->name, (float)numbers[0], (float)numbers[1],
