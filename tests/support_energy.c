@@ -33,6 +33,16 @@ struct lab_sphere_sum energy_by_quadrature(const struct brdf_bsdf *bsdf, brdf_ve
     return sum;
 }
 
+double energy_of_both_sides(const struct brdf_bsdf *bsdf, brdf_vec3 wo, double eta, size_t count)
+{
+    double sum = 0.0;
+    for (size_t i = 0; i < count; ++i) {
+        struct brdf_sample s = brdf_sample(bsdf, wo, models_even_point(i, count));
+        sum += (double)s.weight.g * ((wo.z > 0.0f) == (s.wi.z > 0.0f) ? 1.0 : eta * eta);
+    }
+    return sum / (double)count;
+}
+
 /* One row, both ways; returns the number of failures. */
 static int check_row(const struct energy_known *row)
 {

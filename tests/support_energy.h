@@ -27,6 +27,10 @@ brdf_vec3 energy_direction(double cosine, double phi);
 struct lab_energy energy_by_sampling(const struct brdf_bsdf *bsdf, brdf_vec3 wo);
 struct lab_sphere_sum energy_by_quadrature(const struct brdf_bsdf *bsdf, brdf_vec3 wo);
 
+/* The mean weight of `count` samples without radiance's 1 / eta^2; eta is the index on the far side
+ * over that on the near one. */
+double energy_of_both_sides(const struct brdf_bsdf *bsdf, brdf_vec3 wo, double eta, size_t count);
+
 /* Rows against both; what differs is printed. Returns the number of failures. */
 int energy_check_known(const struct energy_known *rows, size_t count);
 

@@ -139,17 +139,9 @@ static void metals_colour_what_comes_back(void **state)
     pair_destroy(mirror);
 }
 
-/* The mean weight of samples without radiance's 1 / eta^2; eta is the index on the far side. */
 static double both_sides(const struct brdf_bsdf *bsdf, double cosine, double eta)
 {
-    enum { SAMPLES = 32768 };
-    brdf_vec3 wo = energy_direction(cosine, 0.7);
-    double sum = 0.0;
-    for (size_t i = 0; i < SAMPLES; ++i) {
-        struct brdf_sample s = brdf_sample(bsdf, wo, models_even_point(i, SAMPLES));
-        sum += (double)s.weight.g * ((wo.z > 0.0f) == (s.wi.z > 0.0f) ? 1.0 : eta * eta);
-    }
-    return sum / SAMPLES;
+    return energy_of_both_sides(bsdf, energy_direction(cosine, 0.7), eta, 32768);
 }
 
 /* The second strip: glass, from outside and from inside. */

@@ -9,14 +9,15 @@
  * l is a fit to quadratures of the same model, made by tools/fit_energy.py: with a = 4 alpha^2 and
  * x = mu sqrt((1 + a) / (mu^2 + a)), y = (2 alpha - 1) / (1 + alpha), it is a / (mu^2 + a) times
  * polynomials in x and y, x ln x and y, and mu and y. L is a fit to the integral of that fit. They
- * hold for alpha in [1e-4, 2]; l errs by 1e-3 at most. Where two alphas differ, alpha is
- * sqrt(alpha_u alpha_v).
+ * hold for alpha in [1e-4, 2]; l errs by 1e-3 at most. Where two alphas differ, alpha and mu are
+ * those of round.h; L stays that of alpha.
  */
 #ifndef BRDF_ENERGY_H
 #define BRDF_ENERGY_H
 
 #include "energy_fit.h"
 #include "facets.h"
+#include "round.h"
 
 /* Sizes in the fits' rows. */
 #define BRDF_ENERGY_X 8
@@ -27,6 +28,7 @@
 #define BRDF_ENERGY_MEAN_WORDS 15
 
 struct brdf_energy {
+    struct brdf_round round;
     brdf_real curve[BRDF_ENERGY_X + 1]; /* of the powers of 2 x - 1 */
     brdf_real log[2];                   /* of x ln x and x^2 ln x */
     brdf_real flat[2];                  /* of mu and mu^2 */
@@ -70,7 +72,9 @@ static inline struct brdf_energy brdf_energy_make(struct brdf_facets facets)
 {
     struct brdf_energy energy;
     int row = brdf_energy_row(facets);
-    brdf_real alpha = brdf_clamp(sqrtf(facets.alpha_u * facets.alpha_v), 1e-4f, 2.0f);
+    float blend = facets.masking == BRDF_MASKING_VCAVITY ? BRDF_ROUND_VCAVITY : BRDF_ROUND_SMITH;
+    energy.round = brdf_round_make(blend, facets.alpha_u, facets.alpha_v);
+    brdf_real alpha = energy.round.alpha;
     brdf_real y = (2.0f * alpha - 1.0f) / (1.0f + alpha);
     BRDF_COEFFICIENTS c = brdf_energy_loss_fit + BRDF_ENERGY_LOSS_WORDS * row;
     BRDF_UNROLL
@@ -90,9 +94,10 @@ static inline struct brdf_energy brdf_energy_make(struct brdf_facets facets)
     return energy;
 }
 
-/* l(mu) for mu in [0, 1]. */
-static inline brdf_real brdf_energy_loss(struct brdf_energy energy, brdf_real mu)
+/* l for light from w; that of grazing light if w is below. */
+static inline brdf_real brdf_energy_loss(struct brdf_energy energy, brdf_vec3 w)
 {
+    brdf_real mu = brdf_round_cosine(energy.round, w);
     brdf_real decay = energy.spread / (mu * mu + energy.spread);
     brdf_real x = brdf_min(mu * sqrtf((1.0f + energy.spread) / (mu * mu + energy.spread)), 1.0f);
     brdf_real t = 2.0f * x - 1.0f;

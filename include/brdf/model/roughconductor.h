@@ -71,8 +71,7 @@ static inline brdf_rgb brdf_roughconductor_lobe(struct brdf_roughconductor p,
                                                 brdf_vec3 wi)
 {
     brdf_real lobe =
-        brdf_energy_lobe(energy, brdf_energy_loss(energy, brdf_clamp(wo.z, 0.0f, 1.0f)),
-                         brdf_energy_loss(energy, brdf_clamp(wi.z, 0.0f, 1.0f)));
+        brdf_energy_lobe(energy, brdf_energy_loss(energy, wo), brdf_energy_loss(energy, wi));
     brdf_rgb normal = brdf_fresnel_conductor(1.0f, p.eta, p.k);
     brdf_rgb mean = p.fresnel == 0 ? brdf_fresnel_conductor_mean(p.eta, p.k)
                                    : brdf_fresnel_schlick_mean(normal);
@@ -84,7 +83,7 @@ static inline brdf_rgb brdf_roughconductor_lobe(struct brdf_roughconductor p,
 static inline brdf_real brdf_roughconductor_share(struct brdf_roughconductor p,
                                                   struct brdf_energy energy, brdf_vec3 wo)
 {
-    brdf_real loss = brdf_energy_loss(energy, brdf_clamp(wo.z, 0.0f, 1.0f));
+    brdf_real loss = brdf_energy_loss(energy, wo);
     brdf_real several = loss * brdf_rgb_largest(brdf_fresnel_conductor(1.0f, p.eta, p.k));
     return several / ((1.0f - loss) + brdf_max(several, 1e-6f));
 }

@@ -16,6 +16,7 @@
 #include "../energy.h"
 #include "../glass.h"
 #include "../parameters.h"
+#include "../round.h"
 #include "../sample.h"
 
 #define BRDF_ROUGHDIELECTRIC_PARAMETERS(P)                                                         \
@@ -145,7 +146,9 @@ static inline struct brdf_sample brdf_roughdielectric_once_sample(struct brdf_ro
 static inline struct brdf_glass brdf_roughdielectric_glass(struct brdf_roughdielectric p,
                                                            BRDF_GLOBAL const float *table)
 {
-    return brdf_glass_make(table, sqrtf(p.alpha_u * p.alpha_v), p.int_ior / p.ext_ior);
+    /* One loss for all azimuths: from below it goes by total reflection, not by masking. */
+    struct brdf_round round = brdf_round_make(BRDF_ROUND_SMITH, p.alpha_u, p.alpha_v);
+    return brdf_glass_make(table, round.alpha, p.int_ior / p.ext_ior);
 }
 
 /* What one facet loses of light from w; nothing where there is no interface. */
