@@ -18,7 +18,8 @@ mkdir -p "$out"
 
 # The lecture's order.
 figures="conductors_and_dielectrics halfway_vector_and_mirror_direction ward \
-copper_coloured_plastic_and_copper ggx_and_beckmann energy_loss_conductor energy_loss_dielectric \
+copper_coloured_plastic_and_copper ggx_and_beckmann energy_loss_conductor energy_loss_conductor_compensated \
+energy_loss_dielectric energy_loss_dielectric_compensated \
 anisotropic_reflection brdf_of_the_moon surface_roughness_causes_flat_appearance \
 naive_blend_and_smooth_plastic smooth_and_rough_plastic anti_glare_glass rough_glass \
 textured_roughness measured_materials wood"
