@@ -4,7 +4,7 @@
 #   tools/make_gallery.sh OUT           as large as the scenes say, into the folder OUT: index.html
 #   tools/make_gallery.sh --docs OUT    small, for docs/gallery.md, which is written too
 #
-# The first comment of a scene is its title, up to the full stop, and what is to be seen in it.
+# A scene begins with a comment: its first line is the title, the others what is to be seen.
 # BRDFCL is the command (build/brdfcl if not set).
 set -eu
 cd "$(dirname "$0")/.."
@@ -18,18 +18,16 @@ mkdir -p "$out"
 
 # The lecture's order.
 figures="conductors_and_dielectrics halfway_vector_and_mirror_direction ward \
-copper_coloured_plastic_and_copper ggx_and_beckmann energy_loss_conductor energy_loss_conductor_compensated \
-energy_loss_dielectric energy_loss_dielectric_compensated \
+copper_coloured_plastic_and_copper ggx_and_beckmann energy_loss_conductor \
+energy_loss_conductor_compensated energy_loss_dielectric energy_loss_dielectric_compensated \
 anisotropic_reflection brdf_of_the_moon surface_roughness_causes_flat_appearance \
 naive_blend_and_smooth_plastic smooth_and_rough_plastic anti_glare_glass rough_glass \
 textured_roughness measured_materials wood"
 
-comment() { # the first comment of a scene, in one line
-    sed -n '/<!--/,/-->/p;/-->/q' "scenes/gallery/$1.xml" | tr '\n' ' ' |
-        sed 's/^ *<!-- *//; s/ *-->.*$//; s/  */ /g'
+title() { sed -n '1s/^<!-- *\(.*\)\.$/\1/p' "scenes/gallery/$1.xml"; }
+about() {
+    sed -n '2,/-->/p' "scenes/gallery/$1.xml" | tr '\n' ' ' | sed 's/^ *//; s/ *-->.*$//; s/  */ /g'
 }
-title() { comment "$1" | sed 's/^\([^.]*\(([^)]*)\)*\)\. .*$/\1/'; }
-about() { comment "$1" | sed 's/^[^.]*\(([^)]*)\)*\. //'; }
 
 for figure in $figures; do
     echo "$(title "$figure")"
