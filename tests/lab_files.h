@@ -12,9 +12,9 @@
 /* The table of a description; ends the test if there is none. */
 static inline struct brdf_merl_file lab_test_bake(const char *description)
 {
-    struct brdf_merl_file file;
+    struct brdf_merl_file file = {0};
     struct brdf_error error = {BRDF_OK, ""};
-    struct brdf_bsdf *bsdf;
+    struct brdf_bsdf *bsdf = NULL;
     brdf_status status = brdf_bsdf_create(description, &bsdf, &error);
     status = status ? status : lab_bake_merl(bsdf, &file, &error);
     if (status) {
