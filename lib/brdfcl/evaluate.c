@@ -238,10 +238,12 @@ static brdf_status launch(struct brdfcl_evaluator *evaluator, enum operation ope
 {
     cl_kernel kernel = evaluator->kernel[operation];
     size_t packets = evaluator->padded / (size_t)evaluator->device->lanes;
+    /* Left to itself, PoCL takes thousands of work-items a group, and their stack runs out. */
+    size_t group = PADDING / (size_t)evaluator->device->lanes;
     brdf_status status = set_arguments(evaluator, kernel, error);
     for (int i = 0; i < times && !status; ++i) {
         cl_int cl = clEnqueueNDRangeKernel(evaluator->device->queue, kernel, 1, NULL, &packets,
-                                           NULL, 0, NULL, NULL);
+                                           &group, 0, NULL, NULL);
         status = opencl_check(cl, "clEnqueueNDRangeKernel", error);
     }
     if (!status) {
