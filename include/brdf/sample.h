@@ -35,4 +35,13 @@ static inline struct brdf_sample brdf_sample_where(brdf_mask valid, struct brdf_
     return s;
 }
 
+/* wi as a draw from the density `pdf` of something whose value there is f: weight = f |cos wi| /
+   pdf where the mask is true, "no sample" elsewhere. */
+static inline struct brdf_sample brdf_sample_weigh(brdf_mask valid, brdf_vec3 wi, brdf_rgb f,
+                                                   brdf_real pdf)
+{
+    brdf_rgb weight = brdf_rgb_scale(f, fabsf(wi.z) / brdf_pick(valid, pdf, 1.0f));
+    return brdf_sample_where(valid, brdf_sample_make(wi, weight, pdf));
+}
+
 #endif

@@ -224,10 +224,7 @@ static inline struct brdf_sample brdf_hapke_sample(struct brdf_hapke p, brdf_vec
     brdf_vec3 even = brdf_regolith_sample(s.even, u.x, u.y);
     brdf_vec3 wi = brdf_vec3_pick(u.z < s.back + s.through, lobe, even);
     brdf_real pdf = brdf_hapke_pdf(p, wo, wi, table);
-    brdf_mask valid = pdf > 0.0f;
-    brdf_real scale = wi.z / brdf_pick(valid, pdf, 1.0f);
-    brdf_rgb weight = brdf_rgb_scale(brdf_hapke_eval(p, wo, wi, table), scale);
-    return brdf_sample_where(valid, brdf_sample_make(wi, weight, pdf));
+    return brdf_sample_weigh(pdf > 0.0f, wi, brdf_hapke_eval(p, wo, wi, table), pdf);
 }
 
 #endif

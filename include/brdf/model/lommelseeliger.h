@@ -49,10 +49,7 @@ static inline struct brdf_sample brdf_lommelseeliger_sample(struct brdf_lommelse
     brdf_real share = brdf_regolith_share(brdf_clamp(wo.z, 0.0f, 1.0f));
     brdf_vec3 wi = brdf_regolith_sample(share, u.x, u.y);
     brdf_real pdf = brdf_lommelseeliger_pdf(p, wo, wi, table);
-    brdf_mask valid = pdf > 0.0f;
-    brdf_real scale = wi.z / brdf_pick(valid, pdf, 1.0f);
-    brdf_rgb weight = brdf_rgb_scale(brdf_lommelseeliger_eval(p, wo, wi, table), scale);
-    return brdf_sample_where(valid, brdf_sample_make(wi, weight, pdf));
+    return brdf_sample_weigh(pdf > 0.0f, wi, brdf_lommelseeliger_eval(p, wo, wi, table), pdf);
 }
 
 #endif

@@ -65,10 +65,7 @@ static inline struct brdf_sample brdf_measuredmix_sample(struct brdf_measuredmix
         brdf_vec3_pick(second, brdf_merl_direction(wo, again, table + BRDF_MEASUREDMIX_SECOND),
                        brdf_merl_direction(wo, again, table));
     brdf_real pdf = brdf_measuredmix_pdf(p, wo, wi, table);
-    brdf_mask valid = pdf > 0.0f;
-    brdf_rgb f = brdf_measuredmix_eval(p, wo, wi, table);
-    brdf_rgb weight = brdf_rgb_scale(f, wi.z / brdf_pick(valid, pdf, 1.0f));
-    return brdf_sample_where(valid, brdf_sample_make(wi, weight, pdf));
+    return brdf_sample_weigh(pdf > 0.0f, wi, brdf_measuredmix_eval(p, wo, wi, table), pdf);
 }
 
 #endif

@@ -268,10 +268,7 @@ static inline struct brdf_sample brdf_merl_sample(struct brdf_merl p, brdf_vec3 
 {
     brdf_vec3 wi = brdf_merl_direction(wo, u, table);
     brdf_real pdf = brdf_merl_pdf(p, wo, wi, table);
-    brdf_mask valid = pdf > 0.0f;
-    brdf_rgb f = brdf_merl_eval(p, wo, wi, table);
-    brdf_rgb weight = brdf_rgb_scale(f, wi.z / brdf_pick(valid, pdf, 1.0f));
-    return brdf_sample_where(valid, brdf_sample_make(wi, weight, pdf));
+    return brdf_sample_weigh(pdf > 0.0f, wi, brdf_merl_eval(p, wo, wi, table), pdf);
 }
 
 #endif

@@ -200,10 +200,7 @@ static inline struct brdf_sample brdf_orennayar_sample(struct brdf_orennayar p, 
     brdf_vec3 x = brdf_azimuth(wo);
     brdf_vec3 wi = brdf_vec3_make(x.x * w.x - x.y * w.y, x.y * w.x + x.x * w.y, w.z);
     brdf_real pdf = brdf_orennayar_pdf(p, wo, wi, table);
-    brdf_mask valid = pdf > 0.0f;
-    brdf_real scale = wi.z / brdf_pick(valid, pdf, 1.0f);
-    brdf_rgb weight = brdf_rgb_scale(brdf_orennayar_eval(p, wo, wi, table), scale);
-    return brdf_sample_where(valid, brdf_sample_make(wi, weight, pdf));
+    return brdf_sample_weigh(pdf > 0.0f, wi, brdf_orennayar_eval(p, wo, wi, table), pdf);
 }
 
 #endif

@@ -89,10 +89,7 @@ static inline struct brdf_sample brdf_phong_sample(struct brdf_phong p, brdf_vec
     brdf_vec3 wi =
         brdf_vec3_pick(u.z < brdf_phong_specular_share(p), lobe, brdf_warp_cosine(u.x, u.y));
     brdf_real pdf = brdf_phong_pdf(p, wo, wi, table);
-    brdf_mask valid = pdf > 0.0f;
-    brdf_real scale = wi.z / brdf_pick(valid, pdf, 1.0f);
-    brdf_rgb weight = brdf_rgb_scale(brdf_phong_eval(p, wo, wi, table), scale);
-    return brdf_sample_where(valid, brdf_sample_make(wi, weight, pdf));
+    return brdf_sample_weigh(pdf > 0.0f, wi, brdf_phong_eval(p, wo, wi, table), pdf);
 }
 
 #endif

@@ -229,11 +229,10 @@ static inline struct brdf_sample brdf_principled_sample(struct brdf_principled p
     brdf_real pdf = brdf_principled_pdf(p, wo, wi, table);
     /* A density below 1e-20 says that rounding has taken wi off every facet. */
     brdf_mask valid = (o.z > 0.0f) & arrives & (pdf > 1e-20f);
-    brdf_real scale = fabsf(wi.z) / brdf_pick(valid, pdf, 1.0f);
-    brdf_rgb weight = brdf_rgb_scale(brdf_principled_eval(p, wo, wi, table), scale);
-    struct brdf_sample s = brdf_sample_make(wi, weight, pdf);
+    brdf_rgb f = brdf_principled_eval(p, wo, wi, table);
+    struct brdf_sample s = brdf_sample_weigh(valid, wi, f, pdf);
     s.eta = brdf_pick(passes, eta, 1.0f);
-    return brdf_sample_where(valid, s);
+    return s;
 }
 
 #endif

@@ -134,10 +134,7 @@ static inline struct brdf_sample brdf_roughconductor_sample_both(struct brdf_rou
     brdf_vec3 mirrored = brdf_half_mirror(wo, brdf_facets_sample(facets, wo, u));
     brdf_vec3 wi = brdf_vec3_pick(several, brdf_energy_sample(energy.spread, u.x, u.y), mirrored);
     brdf_real pdf = brdf_roughconductor_pdf(p, wo, wi, table);
-    brdf_mask valid = pdf > 1e-20f;
-    brdf_real scale = brdf_max(wi.z, 0.0f) / brdf_pick(valid, pdf, 1.0f);
-    brdf_rgb weight = brdf_rgb_scale(brdf_roughconductor_eval(p, wo, wi, table), scale);
-    return brdf_sample_where(valid, brdf_sample_make(wi, weight, pdf));
+    return brdf_sample_weigh(pdf > 1e-20f, wi, brdf_roughconductor_eval(p, wo, wi, table), pdf);
 }
 
 static inline struct brdf_sample brdf_roughconductor_sample(struct brdf_roughconductor p,

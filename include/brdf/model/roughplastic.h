@@ -169,10 +169,7 @@ static inline struct brdf_sample brdf_roughplastic_sample(struct brdf_roughplast
         wi = brdf_vec3_pick(several, lobe, wi);
     }
     brdf_real pdf = brdf_roughplastic_pdf(p, wo, wi, table);
-    brdf_mask valid = pdf > 1e-30f;
-    brdf_real scale = wi.z / brdf_pick(valid, pdf, 1.0f);
-    brdf_rgb weight = brdf_rgb_scale(brdf_roughplastic_eval(p, wo, wi, table), scale);
-    return brdf_sample_where(valid, brdf_sample_make(wi, weight, pdf));
+    return brdf_sample_weigh(pdf > 1e-30f, wi, brdf_roughplastic_eval(p, wo, wi, table), pdf);
 }
 
 #endif

@@ -133,10 +133,7 @@ static inline struct brdf_sample brdf_wood_sample(struct brdf_wood p, brdf_vec3 
 
     brdf_real pdf = brdf_wood_pdf(p, wo, wi, table);
     /* A density below 1e-20 says that rounding has taken wi off its lobe. */
-    brdf_mask valid = pdf > 1e-20f;
-    brdf_real scale = wi.z / brdf_pick(valid, pdf, 1.0f);
-    brdf_rgb weight = brdf_rgb_scale(brdf_wood_eval(p, wo, wi, table), scale);
-    return brdf_sample_where(valid, brdf_sample_make(wi, weight, pdf));
+    return brdf_sample_weigh(pdf > 1e-20f, wi, brdf_wood_eval(p, wo, wi, table), pdf);
 }
 
 #endif
