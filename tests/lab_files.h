@@ -56,14 +56,4 @@ static inline struct brdf_bsdf *lab_test_load(const struct brdf_merl_file *file,
     return lab_test_through(file, NULL, settings);
 }
 
-static inline struct brdf_bsdf *lab_test_bsdf(const char *description)
-{
-    struct brdf_bsdf *bsdf = NULL;
-    struct brdf_error error = {BRDF_OK, ""};
-    if (brdf_bsdf_create(description, &bsdf, &error)) {
-        fail_msg("%s: %s", description, error.message);
-    }
-    return bsdf;
-}
-
 #endif

@@ -15,6 +15,7 @@
 #include <brdf/rgl.h>
 
 #include "merl_bake.h"
+#include "support_bsdf.h"
 
 /* The bsdf at `data` in RGB; per wavelength its green, rising from 0 at 360 nm to 1 at 830 nm. */
 static inline void rgl_test_values(const double wo[3], const double wi[3], int channels,
@@ -28,23 +29,13 @@ static inline void rgl_test_values(const double wo[3], const double wi[3], int c
     }
 }
 
-static inline struct brdf_bsdf *rgl_test_bsdf(const char *description)
-{
-    struct brdf_bsdf *bsdf = NULL;
-    struct brdf_error error = {BRDF_OK, ""};
-    if (brdf_bsdf_create(description, &bsdf, &error)) {
-        fail_msg("%s: %s", description, error.message);
-    }
-    return bsdf;
-}
-
 /* A file's values of a material; ends the test if there are none. */
 static inline struct brdf_rgl_file rgl_test_make(const char *description,
                                                  const struct brdf_rgl_grid *grid)
 {
     struct brdf_rgl_file file;
     struct brdf_error error = {BRDF_OK, ""};
-    struct brdf_bsdf *bsdf = rgl_test_bsdf(description);
+    struct brdf_bsdf *bsdf = bsdf_make(description);
     if (brdf_rgl_make(rgl_test_values, bsdf, grid, &file, &error)) {
         fail_msg("%s: %s", description, error.message);
     }

@@ -11,22 +11,13 @@
 
 #include <cmocka.h>
 
+#include "support_bsdf.h"
 #include "support_matte.h"
 #include "support_models.h"
 
 static const double pi = 3.14159265358979323846;
 
 const double matte_cosines[MATTE_COSINES] = {0.1, 0.25, 0.5, 0.75, 1.0};
-
-struct brdf_bsdf *matte_make(const char *description)
-{
-    struct brdf_bsdf *bsdf = NULL;
-    struct brdf_error error;
-    if (brdf_bsdf_create(description, &bsdf, &error)) {
-        fail_msg("%s", error.message);
-    }
-    return bsdf;
-}
 
 brdf_vec3 matte_direction(double cosine, double phi)
 {
@@ -80,7 +71,7 @@ int matte_expect(const char *what, double mu, double found, double known, double
 int matte_expect_albedos(const char *description, const double known[MATTE_COSINES],
                          double tolerance)
 {
-    struct brdf_bsdf *bsdf = matte_make(description);
+    struct brdf_bsdf *bsdf = bsdf_make(description);
     int failures = 0;
     for (int i = 0; i < MATTE_COSINES; ++i) {
         double mu = matte_cosines[i];

@@ -14,9 +14,6 @@ enum { MATTE_COSINES = 5 };
 /* The cosines of light that known albedos are for: 0.1, 0.25, 0.5, 0.75, 1. */
 extern const double matte_cosines[MATTE_COSINES];
 
-/* A material from its description, or the test fails. */
-struct brdf_bsdf *matte_make(const char *description);
-
 /* A direction by its cosine with the normal and its azimuth [rad]. */
 brdf_vec3 matte_direction(double cosine, double phi);
 

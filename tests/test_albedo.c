@@ -11,6 +11,7 @@
 #include <cmocka.h>
 
 #include "albedo.h"
+#include "support_bsdf.h"
 #include "support_energy.h"
 #include "support_matte.h"
 
@@ -27,7 +28,7 @@ static void assert_all(const double found[3], double known, double tolerance)
 static void diffuse_is_its_reflectance(void **state)
 {
     (void)state;
-    struct brdf_bsdf *bsdf = matte_make("diffuse:reflectance=0.2/0.4/0.6");
+    struct brdf_bsdf *bsdf = bsdf_make("diffuse:reflectance=0.2/0.4/0.6");
     struct lab_albedo at = lab_albedo_at(bsdf, energy_direction(0.3, 1.0), 1000);
     struct lab_albedo average = lab_albedo_average(bsdf, 0, 1000);
     struct lab_albedo below = lab_albedo_average(bsdf, 1, 1000);
@@ -58,7 +59,7 @@ static double fresnel(double cosine, double n)
 static void glass_follows_fresnel(void **state)
 {
     (void)state;
-    struct brdf_bsdf *bsdf = matte_make("dielectric:int_ior=1.5,ext_ior=1");
+    struct brdf_bsdf *bsdf = bsdf_make("dielectric:int_ior=1.5,ext_ior=1");
     for (int inside = 0; inside < 2; ++inside) {
         double n = inside ? 1.0 / 1.5 : 1.5;
         double average = 0.0;
@@ -88,7 +89,7 @@ static void rough_conductor_has_its_closed_form(void **state)
 {
     (void)state;
     struct brdf_bsdf *bsdf =
-        matte_make("roughconductor:material=none,distribution=ggx,masking=correlated,alpha=1");
+        bsdf_make("roughconductor:material=none,distribution=ggx,masking=correlated,alpha=1");
     double average = 0.0;
     for (int i = 0; i < 20000; ++i) {
         double mu = (i + 0.5) / 20000.0;
@@ -111,7 +112,7 @@ static void rough_conductor_has_its_closed_form(void **state)
 static void errors_shrink(void **state)
 {
     (void)state;
-    struct brdf_bsdf *bsdf = matte_make("roughconductor:alpha=0.5");
+    struct brdf_bsdf *bsdf = bsdf_make("roughconductor:alpha=0.5");
     brdf_vec3 wo = energy_direction(0.5, 0.0);
     struct lab_albedo few = lab_albedo_at(bsdf, wo, 1024);
     struct lab_albedo again = lab_albedo_at(bsdf, wo, 1024);

@@ -20,16 +20,7 @@
 #include "fit_space.h"
 #include "lab_files.h"
 #include "scene_text.h"
-
-static struct brdf_bsdf *bsdf_of(const char *description)
-{
-    struct brdf_bsdf *bsdf = NULL;
-    struct brdf_error error = {BRDF_OK, ""};
-    if (brdf_bsdf_create(description, &bsdf, &error)) {
-        fail_msg("%s: %s", description, error.message);
-    }
-    return bsdf;
-}
+#include "support_bsdf.h"
 
 /* The light that comes back along the normal: what eta and k of a metal are seen by. */
 static double normal_reflectance(const struct brdf_material *material, int eta, int k, int channel)
@@ -72,7 +63,7 @@ static void assert_recovered(const struct brdf_bsdf *target, const struct brdf_b
 
 static void recovers(const char *target_text, const char *model, const char *free_names)
 {
-    struct brdf_bsdf *target = bsdf_of(target_text);
+    struct brdf_bsdf *target = bsdf_make(target_text);
     struct lab_fit_options options = lab_fit_defaults(model);
     struct lab_fit_result fit;
     struct brdf_error error = {BRDF_OK, ""};
@@ -120,7 +111,7 @@ static void test_baked_file(void **state)
         lab_test_bake("ward:alpha=0.25,specular_reflectance=0.1,diffuse_reflectance=0.3/0.2/0.1");
     struct brdf_bsdf *target = lab_test_load(&file, "interpolation=linear");
     struct brdf_bsdf *wanted =
-        bsdf_of("ward:alpha=0.25,specular_reflectance=0.1,diffuse_reflectance=0.3/0.2/0.1");
+        bsdf_make("ward:alpha=0.25,specular_reflectance=0.1,diffuse_reflectance=0.3/0.2/0.1");
     struct lab_fit_options options = lab_fit_defaults("ward");
     struct lab_fit_result fit;
     struct brdf_error error = {BRDF_OK, ""};
@@ -139,7 +130,7 @@ static void test_baked_file(void **state)
 static void test_anisotropy_comes_back(void **state)
 {
     (void)state;
-    struct brdf_bsdf *target = bsdf_of("ward:alpha_u=0.1,alpha_v=0.4");
+    struct brdf_bsdf *target = bsdf_make("ward:alpha_u=0.1,alpha_v=0.4");
     struct lab_fit_options options = lab_fit_defaults("ward");
     struct lab_fit_result fit;
     struct brdf_error error = {BRDF_OK, ""};
@@ -156,8 +147,9 @@ static void test_anisotropy_comes_back(void **state)
 static void test_blend(void **state)
 {
     (void)state;
-    struct brdf_bsdf *target = bsdf_of("cooktorrance:alpha=0.3,eta=1.5,k=0,"
-                                       "diffuse_reflectance=0.2/0.1/0.05,specular_reflectance=0.5");
+    struct brdf_bsdf *target =
+        bsdf_make("cooktorrance:alpha=0.3,eta=1.5,k=0,"
+                  "diffuse_reflectance=0.2/0.1/0.05,specular_reflectance=0.5");
     struct lab_fit_options options =
         lab_fit_defaults("torrancesparrow:distribution=beckmann,eta=2,k=0");
     struct lab_fit_result fit;
@@ -181,7 +173,7 @@ static void test_blend(void **state)
 static void fails(const char *target_text, struct lab_fit_options options, brdf_status expected,
                   const char *part)
 {
-    struct brdf_bsdf *target = bsdf_of(target_text);
+    struct brdf_bsdf *target = bsdf_make(target_text);
     struct lab_fit_result fit;
     struct brdf_error error = {BRDF_OK, ""};
     assert_int_equal(lab_fit(target, &options, &fit, &error), expected);
@@ -228,9 +220,10 @@ static void test_failures(void **state)
 static void test_scene_text(void **state)
 {
     (void)state;
-    struct brdf_bsdf *parts[3] = {bsdf_of("diffuse:reflectance=0.1/0.2/0.3"),
-                                  bsdf_of("roughconductor:distribution=ggx,alpha=0.25,material=Au"),
-                                  bsdf_of("diffuse:reflectance=0")};
+    struct brdf_bsdf *parts[3] = {
+        bsdf_make("diffuse:reflectance=0.1/0.2/0.3"),
+        bsdf_make("roughconductor:distribution=ggx,alpha=0.25,material=Au"),
+        bsdf_make("diffuse:reflectance=0")};
     const double weights[3] = {0.5, 0.125, 0.375};
     char text[4096] = "";
     FILE *file = tmpfile();

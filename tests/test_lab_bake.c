@@ -13,11 +13,12 @@
 #include "complete.h"
 #include "lab_files.h"
 #include "open.h"
+#include "support_bsdf.h"
 
 static void diffuse_comes_back_to_a_millionth(void **state)
 {
     (void)state;
-    struct brdf_bsdf *matte = lab_test_bsdf("diffuse:reflectance=0.2/0.4/0.6");
+    struct brdf_bsdf *matte = bsdf_make("diffuse:reflectance=0.2/0.4/0.6");
     struct brdf_merl_file file = lab_test_bake("diffuse:reflectance=0.2/0.4/0.6");
     struct brdf_bsdf *baked = lab_test_load(&file, "interpolation=linear");
     struct lab_difference d = lab_compare(matte, baked);
@@ -43,7 +44,7 @@ static void rough_metals_come_back_to_the_grid(void **state)
         {"roughconductor:material=Au,alpha=0.4,distribution=beckmann", 0.002, 0.001, 0.002},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
-        struct brdf_bsdf *metal = lab_test_bsdf(cases[i].description);
+        struct brdf_bsdf *metal = bsdf_make(cases[i].description);
         struct brdf_merl_file file = lab_test_bake(cases[i].description);
         struct brdf_bsdf *linear = lab_test_load(&file, "interpolation=linear");
         struct brdf_bsdf *nearest = lab_test_load(&file, "interpolation=nearest");
@@ -75,7 +76,7 @@ static void rough_metals_come_back_from_rgl(void **state)
         {"roughconductor:material=Au,alpha_u=0.1,alpha_v=0.3", 9, 4, 0.012, 0.01, 0.01},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
-        struct brdf_bsdf *metal = lab_test_bsdf(cases[i].description);
+        struct brdf_bsdf *metal = bsdf_make(cases[i].description);
         struct brdf_rgl_grid grid = {0};
         struct brdf_rgl_file file;
         struct brdf_error error = {BRDF_OK, ""};
@@ -100,7 +101,7 @@ static void bins_hold_both_orders(void **state)
 {
     (void)state;
     struct brdf_merl_file file = lab_test_bake("lommelseeliger");
-    struct brdf_bsdf *moon = lab_test_bsdf("lommelseeliger");
+    struct brdf_bsdf *moon = bsdf_make("lommelseeliger");
     for (int p = 0; p < 180; p += 7) {
         double o[3], i[3];
         assert_true(brdf_merl_directions(40, 20, p, o, i));
@@ -128,14 +129,14 @@ static void what_no_table_holds_is_refused(void **state)
         {"roughconductor:alpha_u=0.1,alpha_v=0.4", "turned about its normal"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
-        struct brdf_bsdf *bsdf = lab_test_bsdf(cases[i].description);
+        struct brdf_bsdf *bsdf = bsdf_make(cases[i].description);
         struct brdf_merl_file file;
         struct brdf_error error = {BRDF_OK, ""};
         assert_int_equal(lab_bake_merl(bsdf, &file, &error), BRDF_UNSUPPORTED);
         assert_non_null(strstr(error.message, cases[i].word));
         brdf_bsdf_destroy(bsdf);
     }
-    struct brdf_bsdf *round = lab_test_bsdf("ward:alpha_u=0.2,alpha_v=0.2");
+    struct brdf_bsdf *round = bsdf_make("ward:alpha_u=0.2,alpha_v=0.2");
     assert_true(lab_anisotropy(round) < 1e-3); /* a model that could be anisotropic, and is not */
     assert_false(lab_has_delta(round));
     brdf_bsdf_destroy(round);
@@ -145,8 +146,8 @@ static void what_no_table_holds_is_refused(void **state)
 static void comparisons_of_matte_with_matte(void **state)
 {
     (void)state;
-    struct brdf_bsdf *a = lab_test_bsdf("diffuse:reflectance=0.5");
-    struct brdf_bsdf *b = lab_test_bsdf("diffuse:reflectance=0.25");
+    struct brdf_bsdf *a = bsdf_make("diffuse:reflectance=0.5");
+    struct brdf_bsdf *b = bsdf_make("diffuse:reflectance=0.25");
     struct lab_difference d = lab_compare(a, b);
     assert_true(fabs(d.rms - 0.5) < 1e-6 && fabs(d.mean - 0.5) < 1e-6);
     assert_true(fabs(d.worst - 0.5) < 1e-6 && fabs(d.albedo - 0.25) < 1e-6);

@@ -15,6 +15,7 @@
 #include "lab_files.h"
 #include "oklab.h"
 #include "separate.h"
+#include "support_bsdf.h"
 
 static const char painted[] =
     "ward:variant=ward-duer,alpha=0.15,diffuse_reflectance=0.3/0.2/0.1,specular_reflectance=0.2";
@@ -37,7 +38,7 @@ static struct brdf_bsdf *edited(const char *description, struct lab_edit edit)
 static struct lab_difference edited_against(const char *description, struct lab_edit edit,
                                             const char *wanted)
 {
-    struct brdf_bsdf *a = lab_test_bsdf(wanted), *b = edited(description, edit);
+    struct brdf_bsdf *a = bsdf_make(wanted), *b = edited(description, edit);
     struct lab_difference difference = lab_compare(a, b);
     print_message("  %s: rms %.4f mean %.4f albedo %.4f\n", wanted, difference.rms, difference.mean,
                   difference.albedo);
@@ -160,7 +161,7 @@ static void one_part_is_coloured(void **state)
     struct lab_edit edit = lab_edit_nothing();
     edit.saturation = 0.0;
     edit.part = LAB_EDIT_DIFFUSE;
-    struct brdf_bsdf *before = lab_test_bsdf(painted), *after = edited(painted, edit);
+    struct brdf_bsdf *before = bsdf_make(painted), *after = edited(painted, edit);
     const brdf_vec3 wo = {0.6f, 0.0f, 0.8f}, mirror = {-0.6f, 0.0f, 0.8f};
     brdf_rgb away = brdf_eval(after, wo, wo);
     assert_true(fabs((double)away.r - (double)away.b) < 1e-4);

@@ -10,6 +10,7 @@
 #include <cmocka.h>
 
 #include "lab_files.h"
+#include "support_bsdf.h"
 #include "survey.h"
 
 static size_t bin_at(int theta_h, int theta_d, int phi_d)
@@ -120,7 +121,7 @@ static void light_from_nowhere_is_found(void **state)
 static void one_way_materials_are_doubted(void **state)
 {
     (void)state;
-    struct brdf_bsdf *rough = lab_test_bsdf("orennayar:variant=qualitative,sigma=30");
+    struct brdf_bsdf *rough = bsdf_make("orennayar:variant=qualitative,sigma=30");
     struct lab_survey survey;
     int count;
     lab_survey_make(rough, &survey);

@@ -15,19 +15,11 @@
 #include <brdf/brdf.h>
 #include <brdf/model.h>
 
-static struct brdf_bsdf *create(const char *description)
-{
-    struct brdf_bsdf *bsdf;
-    struct brdf_error error;
-    if (brdf_bsdf_create(description, &bsdf, &error)) {
-        fail_msg("%s: %s", description, error.message);
-    }
-    return bsdf;
-}
+#include "support_bsdf.h"
 
 static void assert_words(const char *description, int count, const float *expected)
 {
-    struct brdf_bsdf *bsdf = create(description);
+    struct brdf_bsdf *bsdf = bsdf_make(description);
     for (int i = 0; i < count; ++i) {
         float word = brdf_bsdf_material(bsdf)->word[i];
         if (fabsf(word - expected[i]) > 1e-6f * fabsf(expected[i])) {
@@ -59,15 +51,16 @@ static void values_of_every_kind(void **state)
 static void choices_and_flags(void **state)
 {
     (void)state;
-    struct brdf_bsdf *plain = create("roughconductor:distribution=beckmann,masking=separable");
-    struct brdf_bsdf *both = create("roughconductor:distribution=ggx,masking=separable,twosided");
+    struct brdf_bsdf *plain = bsdf_make("roughconductor:distribution=beckmann,masking=separable");
+    struct brdf_bsdf *both =
+        bsdf_make("roughconductor:distribution=ggx,masking=separable,twosided");
     assert_int_equal(brdf_bsdf_material(plain)->choices, 0x1010);
     assert_int_equal(brdf_bsdf_material(both)->choices, 0x1011);
     assert_int_equal(brdf_bsdf_material(both)->model, BRDF_MODEL_ROUGHCONDUCTOR);
     assert_int_equal(brdf_bsdf_material(both)->flags,
                      brdf_model_info(BRDF_MODEL_ROUGHCONDUCTOR)->flags | BRDF_TWOSIDED);
     assert_int_equal(brdf_bsdf_material(plain)->flags & BRDF_TWOSIDED, 0);
-    struct brdf_bsdf *opaque = create("principled:twosided,spec_trans=0,metallic=1");
+    struct brdf_bsdf *opaque = bsdf_make("principled:twosided,spec_trans=0,metallic=1");
     assert_int_equal(brdf_bsdf_material(opaque)->flags & BRDF_TWOSIDED, BRDF_TWOSIDED);
     brdf_bsdf_destroy(opaque);
     brdf_bsdf_destroy(plain);
@@ -226,10 +219,10 @@ static void descriptions_come_back(void **state)
     };
     for (size_t i = 0; i < sizeof descriptions / sizeof descriptions[0]; ++i) {
         char first[512], second[512], cut[8];
-        struct brdf_bsdf *a = create(descriptions[i]);
+        struct brdf_bsdf *a = bsdf_make(descriptions[i]);
         size_t length = brdf_bsdf_describe(a, first, sizeof first);
         assert_int_equal(length, strlen(first));
-        struct brdf_bsdf *b = create(first);
+        struct brdf_bsdf *b = bsdf_make(first);
         brdf_bsdf_describe(b, second, sizeof second);
         assert_string_equal(first, second);
         assert_memory_equal(brdf_bsdf_material(a), brdf_bsdf_material(b),
@@ -257,7 +250,7 @@ static void locales_do_not_matter(void **state)
         skip();
     }
     char text[128];
-    struct brdf_bsdf *bsdf = create("diffuse:reflectance=0.25");
+    struct brdf_bsdf *bsdf = bsdf_make("diffuse:reflectance=0.25");
     brdf_bsdf_describe(bsdf, text, sizeof text);
     setlocale(LC_ALL, "C");
     assert_string_equal(text, "diffuse:reflectance=0.25");

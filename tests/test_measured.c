@@ -17,6 +17,7 @@
 #include "density.h"
 #include "rgl_files.h"
 #include "rgl_table.h"
+#include "support_bsdf.h"
 
 #define GLOSSY "roughconductor:material=Cu,alpha=0.2"
 #define BRUSHED "roughconductor:material=Cu,alpha_u=0.15,alpha_v=0.4"
@@ -59,7 +60,7 @@ struct fidelity {
 
 static struct fidelity fidelity_of(const struct brdf_bsdf *made, const char *original)
 {
-    struct brdf_bsdf *truth = rgl_test_bsdf(original);
+    struct brdf_bsdf *truth = bsdf_make(original);
     uint64_t random = 1;
     double all = 0.0, sum = 0.0, off = 0.0;
     for (int i = 0; i < 50000; ++i) {

@@ -12,6 +12,8 @@
 
 #include <brdf/material.h>
 
+#include "support_bsdf.h"
+
 static const double pi = 3.14159265358979323846;
 
 struct abc {
@@ -62,11 +64,10 @@ static void test_formula(void **state)
     };
     for (size_t m = 0; m < sizeof materials / sizeof materials[0]; ++m) {
         char text[256];
-        struct brdf_bsdf *bsdf = NULL;
         snprintf(text, sizeof text, "abc:diffuse_reflectance=%.9g,A=%.9g,B=%.9g,C=%.9g,ior=%.9g",
                  materials[m].diffuse, materials[m].a, materials[m].b, materials[m].c,
                  materials[m].ior);
-        assert_int_equal(brdf_bsdf_create(text, &bsdf, NULL), BRDF_OK);
+        struct brdf_bsdf *bsdf = bsdf_make(text);
         for (int i = 0; i < 200; ++i) {
             double wo[3], wi[3];
             brdf_vec3 o = direction(0.007 * i, 0.3, wo);

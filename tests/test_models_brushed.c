@@ -13,6 +13,7 @@
 
 #include <brdf/round.h>
 
+#include "support_bsdf.h"
 #include "support_energy.h"
 
 #define PI 3.14159265358979323846
@@ -28,11 +29,7 @@ struct spread {
 static struct spread spread_of(const char *text, double side, double eta)
 {
     enum { ANGLES = 6, TURNS = 5, SAMPLES = 2048 };
-    struct brdf_bsdf *bsdf;
-    struct brdf_error error;
-    if (brdf_bsdf_create(text, &bsdf, &error)) {
-        fail_msg("%s", error.message);
-    }
+    struct brdf_bsdf *bsdf = bsdf_make(text);
     struct spread spread = {HUGE_VAL, -HUGE_VAL, 0.0};
     for (int i = 0; i < ANGLES * TURNS; ++i) {
         /* The squares of the cosines are even: the plain mean is that over diffuse light. */

@@ -15,6 +15,7 @@
 
 #include <brdf/coating.h>
 
+#include "support_bsdf.h"
 #include "support_models.h"
 
 enum { COSINES = 5 };
@@ -61,16 +62,6 @@ static void fits_are_the_quadratures(void **state)
     }
 }
 
-static struct brdf_bsdf *made(const char *description)
-{
-    struct brdf_bsdf *bsdf;
-    struct brdf_error error;
-    if (brdf_bsdf_create(description, &bsdf, &error)) {
-        fail_msg("%s", error.message);
-    }
-    return bsdf;
-}
-
 /* What is sent to wo of light from everywhere, deltas included. */
 static double albedo_of(const struct brdf_bsdf *bsdf, float cosine)
 {
@@ -94,8 +85,8 @@ static void smooth_is_plastic(void **state)
          "plastic:int_ior=1.8,nonlinear=false"},
     };
     for (size_t k = 0; k < 2; ++k) {
-        struct brdf_bsdf *rough = made(pairs[k][0]);
-        struct brdf_bsdf *smooth = made(pairs[k][1]);
+        struct brdf_bsdf *rough = bsdf_make(pairs[k][0]);
+        struct brdf_bsdf *smooth = bsdf_make(pairs[k][1]);
         for (int i = 0; i < COSINES; ++i) {
             double a = albedo_of(rough, cosines[i]);
             double b = albedo_of(smooth, cosines[i]);
@@ -118,7 +109,7 @@ static void white_base_gains_nothing(void **state)
         snprintf(text, sizeof text,
                  "roughplastic:distribution=%s,alpha=%g,nonlinear=true,diffuse_reflectance=1",
                  k % 2 ? "ggx" : "beckmann", (double)alphas[k / 2]);
-        struct brdf_bsdf *bsdf = made(text);
+        struct brdf_bsdf *bsdf = bsdf_make(text);
         for (int i = 0; i < COSINES; ++i) {
             double all = albedo_of(bsdf, cosines[i]);
             double least = alphas[k / 2] > 0.01f ? 0.0 : cosines[i] < 0.1f ? 0.9 : 0.98;
@@ -136,8 +127,8 @@ static void black_base_is_the_interface(void **state)
     (void)state;
     static const float places[4] = {0.1f, 0.25f, 0.5f, 1.0f};
     static const double reflected[4] = {0.08352, 0.06407, 0.04285, 0.02817};
-    struct brdf_bsdf *bsdf =
-        made("roughplastic:distribution=ggx,alpha=0.5,int_ior=1.5,ext_ior=1,diffuse_reflectance=0");
+    struct brdf_bsdf *bsdf = bsdf_make(
+        "roughplastic:distribution=ggx,alpha=0.5,int_ior=1.5,ext_ior=1,diffuse_reflectance=0");
     for (int i = 0; i < 4; ++i) {
         double all = albedo_of(bsdf, places[i]);
         if (!(fabs(all - reflected[i]) <= 5e-4)) {

@@ -15,6 +15,7 @@
 
 #include <brdf/facets.h>
 
+#include "support_bsdf.h"
 #include "support_energy.h"
 #include "support_models.h"
 
@@ -39,22 +40,12 @@ static const struct {
     {MIRRORS "distribution=blinn,alpha=0.0995037190", {.93426, .96733, .99902, 1., 1.}},
 };
 
-static struct brdf_bsdf *make(const char *description)
-{
-    struct brdf_bsdf *bsdf;
-    struct brdf_error error;
-    if (brdf_bsdf_create(description, &bsdf, &error)) {
-        fail_msg("%s", error.message);
-    }
-    return bsdf;
-}
-
 /* By sampling alone: that it agrees with the integral of f is checked for every model. */
 static void known_albedos(void **state)
 {
     (void)state;
     for (size_t i = 0; i < sizeof known / sizeof known[0]; ++i) {
-        struct brdf_bsdf *bsdf = make(known[i].description);
+        struct brdf_bsdf *bsdf = bsdf_make(known[i].description);
         for (int k = 0; k < ENERGY_COSINES; ++k) {
             brdf_vec3 wo = energy_direction(energy_cosines[k], 0.7);
             double albedo = energy_by_sampling(bsdf, wo).value;
@@ -78,8 +69,8 @@ static brdf_vec3 random_above(struct brdfcl_random *random)
 static void ratio_of_f(const char *over, const char *under, double (*ratio)(brdf_vec3, brdf_vec3),
                        double tolerance)
 {
-    struct brdf_bsdf *a = make(over);
-    struct brdf_bsdf *b = make(under);
+    struct brdf_bsdf *a = bsdf_make(over);
+    struct brdf_bsdf *b = bsdf_make(under);
     struct brdfcl_random random = {3};
     int compared = 0;
     for (int i = 0; i < PAIRS; ++i) {

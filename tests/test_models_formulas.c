@@ -11,6 +11,7 @@
 
 #include <cmocka.h>
 
+#include "support_bsdf.h"
 #include "support_models.h"
 
 static const double pi = 3.14159265358979323846;
@@ -151,21 +152,11 @@ static const struct {
     {"cooktorrance:denominator=pi,diffuse_reflectance=0.3" GLASS, cooktorrance_pi},
 };
 
-static struct brdf_bsdf *make(const char *description)
-{
-    struct brdf_bsdf *bsdf;
-    struct brdf_error error;
-    if (brdf_bsdf_create(description, &bsdf, &error)) {
-        fail_msg("%s", error.message);
-    }
-    return bsdf;
-}
-
 static void formulas_of_the_papers(void **state)
 {
     (void)state;
     for (size_t k = 0; k < sizeof formulas / sizeof formulas[0]; ++k) {
-        struct brdf_bsdf *bsdf = make(formulas[k].description);
+        struct brdf_bsdf *bsdf = bsdf_make(formulas[k].description);
         struct brdfcl_random random = {21};
         for (int n = 0; n < 10000; ++n) {
             brdf_vec3 wo = brdfcl_random_direction(&random);
@@ -192,7 +183,7 @@ static void reciprocal_to_the_bit(void **state)
 {
     (void)state;
     for (size_t k = 0; k < sizeof formulas / sizeof formulas[0]; ++k) {
-        struct brdf_bsdf *bsdf = make(formulas[k].description);
+        struct brdf_bsdf *bsdf = bsdf_make(formulas[k].description);
         struct brdfcl_random random = {23};
         for (int n = 0; n < 100000; ++n) {
             struct brdfcl_check_input in = brdfcl_check_input_make(&random);

@@ -16,21 +16,12 @@
 
 #include <brdf/interface.h>
 
+#include "support_bsdf.h"
 #include "support_models.h"
 
 enum { COSINES = 5 };
 
 static const double cosines[COSINES] = {0.1, 0.25, 0.5, 0.75, 1.0};
-
-static struct brdf_bsdf *made(const char *description)
-{
-    struct brdf_bsdf *bsdf;
-    struct brdf_error error;
-    if (brdf_bsdf_create(description, &bsdf, &error)) {
-        fail_msg("%s", error.message);
-    }
-    return bsdf;
-}
 
 static brdf_vec3 direction_at(double cosine)
 {
@@ -141,7 +132,7 @@ static void rough_dielectric_sends_what_is_known(void **state)
     (void)state;
     int failures = 0;
     for (size_t k = 0; k < sizeof known / sizeof known[0]; ++k) {
-        struct brdf_bsdf *bsdf = made(known[k].description);
+        struct brdf_bsdf *bsdf = bsdf_make(known[k].description);
         for (int i = 0; i < COSINES; ++i) {
             brdf_vec3 wo = direction_at(known[k].outside ? cosines[i] : -cosines[i]);
             struct albedo found = albedo_of(bsdf, wo);
@@ -163,7 +154,7 @@ static void rough_dielectric_sends_what_is_known(void **state)
 static void rough_dielectric_passes_as_much_both_ways(void **state)
 {
     (void)state;
-    struct brdf_bsdf *bsdf = made(ROUGH "masking=correlated,alpha=0.5");
+    struct brdf_bsdf *bsdf = bsdf_make(ROUGH "masking=correlated,alpha=0.5");
     double passed[2] = {0.0, 0.0};
     int count = 24;
     for (int i = 0; i < count; ++i) {
@@ -235,7 +226,7 @@ static void white_plastic_loses_nothing(void **state)
         "plastic:diffuse_reflectance=1,nonlinear=true,ext_ior=1,int_ior=10",
     };
     for (size_t k = 0; k < sizeof descriptions / sizeof descriptions[0]; ++k) {
-        struct brdf_bsdf *bsdf = made(descriptions[k]);
+        struct brdf_bsdf *bsdf = bsdf_make(descriptions[k]);
         for (int i = 1; i <= 40; ++i) {
             double cosine = i == 1 ? 1e-3 : i / 40.0;
             double all = albedo_of(bsdf, direction_at(cosine)).reflected;
@@ -255,8 +246,8 @@ static void grey_plastic_is_the_series(void **state)
     const double k = .596346;
     const double rho = 0.5;
     for (int shift = 0; shift < 2; ++shift) {
-        struct brdf_bsdf *bsdf = made(shift ? "plastic:ext_ior=1,int_ior=1.5,nonlinear=true"
-                                            : "plastic:ext_ior=1,int_ior=1.5,nonlinear=false");
+        struct brdf_bsdf *bsdf = bsdf_make(shift ? "plastic:ext_ior=1,int_ior=1.5,nonlinear=true"
+                                                 : "plastic:ext_ior=1,int_ior=1.5,nonlinear=false");
         for (int i = 0; i < COSINES; ++i) {
             double f = (double)brdf_fresnel_dielectric((float)cosines[i], (float)eta).reflectance;
             double base = shift ? rho * (1.0 - k) / (1.0 - rho * k) : rho;
@@ -274,7 +265,7 @@ static void grey_plastic_is_the_series(void **state)
 static void pane_is_the_series(void **state)
 {
     (void)state;
-    struct brdf_bsdf *bsdf = made("thindielectric:int_ior=1.5,ext_ior=1");
+    struct brdf_bsdf *bsdf = bsdf_make("thindielectric:int_ior=1.5,ext_ior=1");
     for (int i = 0; i < COSINES; ++i) {
         double f = (double)brdf_fresnel_dielectric((float)cosines[i], 1.5f).reflectance;
         double inside = (1.0 - f);
@@ -300,7 +291,7 @@ static void pane_is_the_series(void **state)
 static void mirror_reflects_as_its_metal(void **state)
 {
     (void)state;
-    struct brdf_bsdf *bsdf = made("conductor:eta=0.2/1.5/2.9,k=3.9/0/3.1");
+    struct brdf_bsdf *bsdf = bsdf_make("conductor:eta=0.2/1.5/2.9,k=3.9/0/3.1");
     struct brdf_sample s = brdf_sample(bsdf, direction_at(1.0), brdf_vec3_make(0.5f, 0.5f, 0.5f));
     assert_true(s.delta && s.pdf == 1.0f && s.wi.z == 1.0f);
     assert_true(fabs((double)s.weight.r - (0.64 + 15.21) / (1.44 + 15.21)) < 1e-6);
@@ -315,7 +306,7 @@ static void mirror_reflects_as_its_metal(void **state)
 static void no_interface_without_a_difference(void **state)
 {
     (void)state;
-    struct brdf_bsdf *bsdf = made("roughdielectric:int_ior=1.33,ext_ior=1.33,alpha=0.4");
+    struct brdf_bsdf *bsdf = bsdf_make("roughdielectric:int_ior=1.33,ext_ior=1.33,alpha=0.4");
     brdf_vec3 wo = direction_at(0.3);
     struct brdf_sample s = brdf_sample(bsdf, wo, brdf_vec3_make(0.2f, 0.9f, 0.01f));
     assert_true(s.delta && s.pdf == 1.0f && s.eta == 1.0f && s.weight.g == 1.0f);

@@ -12,6 +12,7 @@
 
 #include <cmocka.h>
 
+#include "support_bsdf.h"
 #include "support_energy.h"
 #include "support_models.h"
 
@@ -57,20 +58,10 @@ static void known_albedos(void **state)
     assert_int_equal(energy_check_known(known, sizeof known / sizeof known[0]), 0);
 }
 
-static struct brdf_bsdf *make(const char *description)
-{
-    struct brdf_bsdf *bsdf;
-    struct brdf_error error;
-    if (brdf_bsdf_create(description, &bsdf, &error)) {
-        fail_msg("%s", error.message);
-    }
-    return bsdf;
-}
-
 /* The albedo at one cosine, both ways. */
 static void expect_albedo(const char *description, double cosine, double expected, double tolerance)
 {
-    struct brdf_bsdf *bsdf = make(description);
+    struct brdf_bsdf *bsdf = bsdf_make(description);
     brdf_vec3 wo = energy_direction(cosine, 1.9);
     double sampled = energy_by_sampling(bsdf, wo).value;
     double integral = energy_by_quadrature(bsdf, wo).value;
@@ -118,7 +109,7 @@ static void closed_forms_of_blinnphong(void **state)
 static void closed_forms_of_ashikhminshirley(void **state)
 {
     (void)state;
-    struct brdf_bsdf *lobe = make(SHIRLEY "0");
+    struct brdf_bsdf *lobe = bsdf_make(SHIRLEY "0");
     for (int i = 0; i < ENERGY_COSINES; ++i) {
         double base = 0.8 * 0.75 * (1.0 - pow(1.0 - 0.5 * energy_cosines[i], 5.0));
         double rest = energy_by_quadrature(lobe, energy_direction(energy_cosines[i], 0.2)).value;
@@ -156,7 +147,7 @@ static void weights_are_bounded(void **state)
 {
     (void)state;
     for (size_t k = 0; k < sizeof bounds / sizeof bounds[0]; ++k) {
-        struct brdf_bsdf *bsdf = make(bounds[k].description);
+        struct brdf_bsdf *bsdf = bsdf_make(bounds[k].description);
         struct brdfcl_random random = {22};
         for (int n = 0; n < 200000; ++n) {
             struct brdfcl_check_input in = brdfcl_check_input_make(&random);

@@ -16,6 +16,7 @@
 
 #include <brdf/warp.h>
 
+#include "support_bsdf.h"
 #include "support_matte.h"
 #include "support_models.h"
 
@@ -114,7 +115,7 @@ static void hapke_as_in_the_papers(void **state)
                                "B_0=%g,h=%g"
                              : "hapke:w=%g,b=%g,c=%g,theta=%g,B_0=%g,h=%g",
                  p->w, p->b, p->c, p->theta, p->b0, p->h);
-        struct brdf_bsdf *bsdf = matte_make(description);
+        struct brdf_bsdf *bsdf = bsdf_make(description);
         for (size_t n = 0; n < 4000; ++n) {
             brdf_vec3 u = models_even_point(n, 4000);
             double i = 1.55 * (double)u.x + 0.01;
@@ -141,8 +142,8 @@ static void hapke_as_in_the_papers(void **state)
 static void hapke_of_dark_grains(void **state)
 {
     (void)state;
-    struct brdf_bsdf *hapke = matte_make("hapke:w=0.001,b=0,theta=0,B_0=0");
-    struct brdf_bsdf *lommel = matte_make("lommelseeliger:albedo=0.001");
+    struct brdf_bsdf *hapke = bsdf_make("hapke:w=0.001,b=0,theta=0,B_0=0");
+    struct brdf_bsdf *lommel = bsdf_make("lommelseeliger:albedo=0.001");
     for (size_t n = 0; n < 1000; ++n) {
         brdf_vec3 u = models_even_point(n, 1000);
         brdf_vec3 wo = brdf_warp_cosine(u.x, 0.1f);
@@ -168,7 +169,7 @@ static void hapke_of_white_grains(void **state)
     };
     int failures = 0;
     for (int k = 0; k < 2; ++k) {
-        struct brdf_bsdf *bsdf = matte_make(some[k].description);
+        struct brdf_bsdf *bsdf = bsdf_make(some[k].description);
         brdf_vec3 up = matte_direction(1.0, 0.0);
         double h = sqrt(8.0 * pi * (double)brdf_eval(bsdf, up, up).g);
         failures += matte_expect("H", 1.0, h, 2.9078, 2.9078 * some[k].error);
@@ -187,8 +188,8 @@ static void hapke_of_white_grains(void **state)
 static void hapke_surge(void **state)
 {
     (void)state;
-    struct brdf_bsdf *flat = matte_make("hapke:w=1e-4,b=0,theta=0,B_0=0");
-    struct brdf_bsdf *surge = matte_make("hapke:w=1e-4,b=0,theta=0,B_0=0.6,h=0.1");
+    struct brdf_bsdf *flat = bsdf_make("hapke:w=1e-4,b=0,theta=0,B_0=0");
+    struct brdf_bsdf *surge = bsdf_make("hapke:w=1e-4,b=0,theta=0,B_0=0.6,h=0.1");
     brdf_vec3 up = matte_direction(1.0, 0.0);
     brdf_vec3 off = matte_direction(cos(2.0 * atan(0.1)), 1.0);
     double at_0 = (double)(brdf_eval(surge, up, up).g / brdf_eval(flat, up, up).g);

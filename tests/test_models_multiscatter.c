@@ -14,6 +14,7 @@
 
 #include <brdf/fresnel.h>
 
+#include "support_bsdf.h"
 #include "support_energy.h"
 #include "support_models.h"
 
@@ -22,14 +23,9 @@
 static struct brdf_bsdf *make(const char *format, const char *options, double alpha,
                               const char *multiscatter)
 {
-    struct brdf_bsdf *bsdf;
-    struct brdf_error error;
     char text[256];
     snprintf(text, sizeof text, format, options, alpha, multiscatter);
-    if (brdf_bsdf_create(text, &bsdf, &error)) {
-        fail_msg("%s", error.message);
-    }
-    return bsdf;
+    return bsdf_make(text);
 }
 
 /* A material with and without compensation. */

@@ -15,6 +15,7 @@
 
 #include <brdf/warp.h>
 
+#include "support_bsdf.h"
 #include "support_matte.h"
 #include "support_models.h"
 
@@ -67,7 +68,7 @@ static void fujii_albedos(void **state)
         char description[80];
         snprintf(description, sizeof description,
                  "orennayar:reflectance=1,variant=fujii,roughness=%.2f", 0.25 * (k + 1));
-        struct brdf_bsdf *bsdf = matte_make(description);
+        struct brdf_bsdf *bsdf = bsdf_make(description);
         double sum = 0.0;
         for (int i = 0; i < 32; ++i) {
             double mu = (i + 0.5) / 32;
@@ -90,7 +91,7 @@ static void eon_keeps_everything(void **state)
         char description[64];
         snprintf(description, sizeof description, "orennayar:reflectance=1,roughness=%s",
                  roughness[k]);
-        struct brdf_bsdf *bsdf = matte_make(description);
+        struct brdf_bsdf *bsdf = bsdf_make(description);
         for (int i = 0; i < 7; ++i) {
             failures +=
                 matte_expect(description, mus[i], matte_albedo(bsdf, mus[i], 96), 1.0, 1e-4);
@@ -126,7 +127,7 @@ static void smooth_is_lambert(void **state)
         char description[80];
         snprintf(description, sizeof description, "orennayar:reflectance=0.6,variant=%s",
                  smooth[k]);
-        struct brdf_bsdf *bsdf = matte_make(description);
+        struct brdf_bsdf *bsdf = bsdf_make(description);
         for (size_t i = 0; i < 1000; ++i) {
             brdf_vec3 wo = brdf_warp_cosine((float)(i % 40) / 40.0f, 0.3f);
             struct brdf_sample s = brdf_sample(bsdf, wo, models_even_point(i, 1000));
@@ -177,7 +178,7 @@ static void samplers_earn_their_keep(void **state)
     };
     int failures = 0;
     for (size_t k = 0; k < sizeof wanted / sizeof wanted[0]; ++k) {
-        struct brdf_bsdf *bsdf = matte_make(wanted[k].description);
+        struct brdf_bsdf *bsdf = bsdf_make(wanted[k].description);
         for (int i = 0; i < 3; ++i) {
             static const double mus[] = {0.02, 0.3, 0.95};
             double most;

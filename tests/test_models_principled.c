@@ -14,20 +14,11 @@
 #include <brdf/disney.h>
 
 #include "check_cases.h"
+#include "support_bsdf.h"
 #include "support_energy.h"
 #include "support_models.h"
 
 static const double pi = 3.14159265358979323846;
-
-static struct brdf_bsdf *made(const char *description)
-{
-    struct brdf_bsdf *bsdf;
-    struct brdf_error error;
-    if (brdf_bsdf_create(description, &bsdf, &error)) {
-        fail_msg("%s", error.message);
-    }
-    return bsdf;
-}
 
 static brdf_vec3 direction_of(const int degrees[2])
 {
@@ -115,7 +106,7 @@ static void as_mitsuba_has_it(void **state)
     for (size_t k = 0; k < sizeof mitsuba / sizeof mitsuba[0]; ++k) {
         char text[512];
         snprintf(text, sizeof text, "principled:%s", mitsuba[k].parameters);
-        struct brdf_bsdf *bsdf = made(text);
+        struct brdf_bsdf *bsdf = bsdf_make(text);
         brdf_vec3 wo = direction_of(mitsuba[k].wo);
         brdf_vec3 wi = direction_of(mitsuba[k].wi);
         brdf_rgb f = brdf_eval(bsdf, wo, wi);
@@ -150,8 +141,8 @@ static void contains_other_models(void **state)
          "specular_transmittance=0.7/0.5/0.2"},
     };
     for (size_t k = 0; k < sizeof pairs / sizeof pairs[0]; ++k) {
-        struct brdf_bsdf *a = made(pairs[k][0]);
-        struct brdf_bsdf *b = made(pairs[k][1]);
+        struct brdf_bsdf *a = bsdf_make(pairs[k][0]);
+        struct brdf_bsdf *b = bsdf_make(pairs[k][1]);
         struct brdfcl_random random = {21};
         for (int i = 0; i < 20000; ++i) {
             brdf_vec3 wo = brdfcl_random_direction(&random);
@@ -178,7 +169,7 @@ static void specular_is_the_reflectance(void **state)
     for (int i = 0; i <= 10; ++i) {
         char text[128];
         snprintf(text, sizeof text, "principled:base_color=0,roughness=1,specular=%g", i / 10.0);
-        struct brdf_bsdf *bsdf = made(text);
+        struct brdf_bsdf *bsdf = bsdf_make(text);
         double f = (double)brdf_eval(bsdf, normal, normal).g;
         double known = 0.08 * i / 10.0 / (4.0 * pi);
         if (!(fabs(f - known) <= 1e-5 * known + 1e-9)) {
@@ -242,9 +233,9 @@ static void gtr1_is_normalised(void **state)
 static void coats_differ_by_the_cosines(void **state)
 {
     (void)state;
-    struct brdf_bsdf *none = made("principled:base_color=0");
-    struct brdf_bsdf *plain = made("principled:base_color=0,clearcoat=1,coat=mitsuba");
-    struct brdf_bsdf *over = made("principled:base_color=0,clearcoat=1,coat=burley");
+    struct brdf_bsdf *none = bsdf_make("principled:base_color=0");
+    struct brdf_bsdf *plain = bsdf_make("principled:base_color=0,clearcoat=1,coat=mitsuba");
+    struct brdf_bsdf *over = bsdf_make("principled:base_color=0,clearcoat=1,coat=burley");
     for (int i = 0; i < 9; ++i) {
         const int to[2] = {10 * i, 0};
         const int from[2] = {10 * i, 177};

@@ -14,20 +14,11 @@
 #include <brdf/fiber.h>
 
 #include "check_cases.h"
+#include "support_bsdf.h"
 #include "support_energy.h"
 #include "support_models.h"
 
 static const double pi = 3.14159265358979323846;
-
-static struct brdf_bsdf *made(const char *description)
-{
-    struct brdf_bsdf *bsdf;
-    struct brdf_error error;
-    if (brdf_bsdf_create(description, &bsdf, &error)) {
-        fail_msg("%s", error.message);
-    }
-    return bsdf;
-}
 
 static int differs(double a, double b, double tolerance)
 {
@@ -97,7 +88,7 @@ static void as_the_formula_has_it(void **state)
             snprintf(text, sizeof text,
                      "wood:%s,specular_reflectance=0,fiber_reflectance=%d,diffuse_reflectance=%d",
                      rows[k].text, fibers, !fibers);
-            bsdf[fibers] = made(text);
+            bsdf[fibers] = bsdf_make(text);
         }
         double length = sqrt(rows[k].axis[0] * rows[k].axis[0] + rows[k].axis[1] * rows[k].axis[1] +
                              rows[k].axis[2] * rows[k].axis[2]);
@@ -145,8 +136,9 @@ static void samples_lie_on_the_cone(void **state)
 {
     (void)state;
     static const double axis[3] = {0.96, 0.0, 0.28};
-    struct brdf_bsdf *bsdf = made("wood:fiber_axis=0.98/0.5/0.64,beta=0.01,fiber_reflectance=1,"
-                                  "diffuse_reflectance=0,specular_reflectance=0,eta=1.5");
+    struct brdf_bsdf *bsdf =
+        bsdf_make("wood:fiber_axis=0.98/0.5/0.64,beta=0.01,fiber_reflectance=1,"
+                  "diffuse_reflectance=0,specular_reflectance=0,eta=1.5");
     brdf_vec3 wo = energy_direction(0.6, 2.5);
     double cone = -inclination(wo, axis, 1.5);
     int left = 0;
@@ -187,7 +179,7 @@ static void lying_fibers_return_their_reflectance(void **state)
                  "wood:fiber_axis=0.8/0.9/0.5,beta=0.01,fiber_reflectance=0.7,"
                  "diffuse_reflectance=0,specular_reflectance=0,eta=%g",
                  etas[k]);
-        struct brdf_bsdf *bsdf = made(text);
+        struct brdf_bsdf *bsdf = bsdf_make(text);
         for (int i = 0; i < (k == 0 ? ENERGY_COSINES : 1); ++i) {
             double cosine = energy_cosines[ENERGY_COSINES - 1 - i];
             double known = 0.7 * passes(cosine, etas[k]) * mean;
@@ -217,7 +209,7 @@ static void weights_are_bounded(void **state)
         snprintf(text, sizeof text,
                  "wood:%s,fiber_reflectance=1,diffuse_reflectance=0,specular_reflectance=0",
                  rows[k].text);
-        struct brdf_bsdf *bsdf = made(text);
+        struct brdf_bsdf *bsdf = bsdf_make(text);
         struct brdfcl_random random = {32};
         for (size_t i = 0; i < 20000; ++i) {
             struct brdf_sample s =
@@ -234,10 +226,11 @@ static void weights_are_bounded(void **state)
 static void coat_is_a_rough_dielectric(void **state)
 {
     (void)state;
-    struct brdf_bsdf *coat = made("wood:distribution=ggx,alpha=0.3,eta=1.6,fiber_reflectance=0,"
-                                  "diffuse_reflectance=0");
-    struct brdf_bsdf *glass =
-        made("roughdielectric:distribution=ggx,masking=correlated,alpha=0.3,int_ior=1.6,ext_ior=1");
+    struct brdf_bsdf *coat =
+        bsdf_make("wood:distribution=ggx,alpha=0.3,eta=1.6,fiber_reflectance=0,"
+                  "diffuse_reflectance=0");
+    struct brdf_bsdf *glass = bsdf_make(
+        "roughdielectric:distribution=ggx,masking=correlated,alpha=0.3,int_ior=1.6,ext_ior=1");
     struct brdfcl_random random = {33};
     for (int i = 0; i < 10000; ++i) {
         brdf_vec3 wo = random_above(&random);
@@ -256,8 +249,9 @@ static void coat_is_a_rough_dielectric(void **state)
 static void reciprocal_and_without_arrow(void **state)
 {
     (void)state;
-    struct brdf_bsdf *one = made("wood:fiber_axis=0.9/0.3/0.6,fiber_reflectance=0.1/0.5/0.9");
-    struct brdf_bsdf *other = made("wood:fiber_axis=0.1/0.7/0.4,fiber_reflectance=0.1/0.5/0.9");
+    struct brdf_bsdf *one = bsdf_make("wood:fiber_axis=0.9/0.3/0.6,fiber_reflectance=0.1/0.5/0.9");
+    struct brdf_bsdf *other =
+        bsdf_make("wood:fiber_axis=0.1/0.7/0.4,fiber_reflectance=0.1/0.5/0.9");
     struct brdfcl_random random = {34};
     for (int i = 0; i < 10000; ++i) {
         brdf_vec3 wo = random_above(&random);

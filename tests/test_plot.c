@@ -14,6 +14,7 @@
 #include "lit_sphere.h"
 #include "polar.h"
 #include "section.h"
+#include "support_bsdf.h"
 
 static const double pi = 3.14159265358979323846;
 
@@ -22,16 +23,6 @@ static void assert_close(double value, double expected, double tolerance)
     if (!(fabs(value - expected) <= tolerance)) {
         fail_msg("%.12g is not %.12g", value, expected);
     }
-}
-
-static struct brdf_bsdf *bsdf_of(const char *description)
-{
-    struct brdf_bsdf *bsdf = NULL;
-    struct brdf_error error = {BRDF_OK, ""};
-    if (brdf_bsdf_create(description, &bsdf, &error)) {
-        fail_msg("%s", error.message);
-    }
-    return bsdf;
 }
 
 static struct lab_section section_of(const struct brdf_bsdf *bsdf, double degrees)
@@ -71,7 +62,7 @@ static void scales_have_round_ticks(void **state)
 static void a_known_lobe_has_its_place(void **state)
 {
     (void)state;
-    struct brdf_bsdf *bsdf = bsdf_of("diffuse:reflectance=0.6");
+    struct brdf_bsdf *bsdf = bsdf_make("diffuse:reflectance=0.6");
     struct lab_section section = section_of(bsdf, 30.0);
     struct plot_box cell = {100.0, 50.0, 300.0, 200.0};
     struct polar polar = polar_within(cell, 0, plot_scale_fixed(0.0, 0.6 / pi, 0.05));
@@ -94,7 +85,7 @@ static void a_known_lobe_has_its_place(void **state)
 static void narrow_peaks_are_found(void **state)
 {
     (void)state;
-    struct brdf_bsdf *bsdf = bsdf_of("phong:exponent=100000,diffuse_reflectance=0");
+    struct brdf_bsdf *bsdf = bsdf_make("phong:exponent=100000,diffuse_reflectance=0");
     struct lab_section section = section_of(bsdf, 37.123);
     double peak = lab_section_peak(&section, 0, lab_section_low(), lab_section_high(0));
     double f = lab_section_f(&section, section.incidence);
@@ -107,7 +98,7 @@ static void narrow_peaks_are_found(void **state)
 static void delta_lobes_have_direction_and_power(void **state)
 {
     (void)state;
-    struct brdf_bsdf *bsdf = bsdf_of("dielectric:int_ior=1.5,ext_ior=1");
+    struct brdf_bsdf *bsdf = bsdf_make("dielectric:int_ior=1.5,ext_ior=1");
     struct lab_section section = section_of(bsdf, 40.0);
     double in = section.incidence;
     double refracted = asin(sin(in) / 1.5);
@@ -136,7 +127,7 @@ static void anisotropy_is_seen_where_it_is(void **state)
                  {"roughconductor:alpha_u=0.3,alpha_v=0.1", 1},
                  {"diffuse", 0}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
-        struct brdf_bsdf *bsdf = bsdf_of(cases[i].description);
+        struct brdf_bsdf *bsdf = bsdf_make(cases[i].description);
         assert_int_equal(lab_anisotropic(bsdf), cases[i].anisotropic);
         brdf_bsdf_destroy(bsdf);
     }
@@ -178,11 +169,11 @@ static void spheres_are_lit_from_above(void **state)
     (void)state;
     enum { SIZE = 48 };
     static float pale[SIZE * SIZE * 3], dark[SIZE * SIZE * 3];
-    struct brdf_bsdf *bsdf = bsdf_of("diffuse:reflectance=0.2");
+    struct brdf_bsdf *bsdf = bsdf_make("diffuse:reflectance=0.2");
     struct brdf_error error;
     assert_int_equal(lab_lit_sphere(bsdf, SIZE, pale, &error), BRDF_OK);
     brdf_bsdf_destroy(bsdf);
-    bsdf = bsdf_of("diffuse:reflectance=0.1");
+    bsdf = bsdf_make("diffuse:reflectance=0.1");
     assert_int_equal(lab_lit_sphere(bsdf, SIZE, dark, &error), BRDF_OK);
     brdf_bsdf_destroy(bsdf);
     for (int i = 0; i < SIZE * SIZE * 3; ++i) {

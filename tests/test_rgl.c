@@ -12,6 +12,7 @@
 #include <sys/stat.h>
 
 #include "rgl_files.h"
+#include "support_bsdf.h"
 
 static const float wavelengths[] = {360.0f, 420.0f, 480.0f, 560.0f, 640.0f, 720.0f, 830.0f};
 
@@ -299,7 +300,7 @@ static void nothing_odd_is_made_or_written(void **state)
     struct place *place = *state;
     struct brdf_error error;
     struct brdf_rgl_file file = rgl_test_make("diffuse", &tiny), none;
-    struct brdf_bsdf *bsdf = rgl_test_bsdf("diffuse");
+    struct brdf_bsdf *bsdf = bsdf_make("diffuse");
     const struct brdf_rgl_grid two_phis = {.phis = 2}, third = {.phis = 4, .symmetry = 3};
     assert_int_equal(brdf_rgl_make(rgl_test_values, bsdf, &two_phis, &none, NULL),
                      BRDF_BAD_ARGUMENT);

@@ -12,6 +12,8 @@
 #include <brdf/brdf.h>
 #include <brdf/surface.h>
 
+#include "support_bsdf.h"
+
 enum { COUNT = 1003 }; /* no multiple of any number of lanes */
 
 /* Every model that needs no file; tables have tests of their own. */
@@ -73,13 +75,6 @@ static void fill(struct arrays *a)
     }
 }
 
-static struct brdf_bsdf *create(const char *description)
-{
-    struct brdf_bsdf *bsdf;
-    assert_int_equal(brdf_bsdf_create(description, &bsdf, NULL), BRDF_OK);
-    return bsdf;
-}
-
 static void arrays_give_the_same_bits(void **state)
 {
     (void)state;
@@ -88,7 +83,7 @@ static void arrays_give_the_same_bits(void **state)
     static int delta[COUNT];
     fill(&a);
     for (size_t d = 0; d < sizeof descriptions / sizeof descriptions[0]; ++d) {
-        struct brdf_bsdf *bsdf = create(descriptions[d]);
+        struct brdf_bsdf *bsdf = bsdf_make(descriptions[d]);
         struct brdf_colors colors = {f[0], f[1], f[2]};
         struct brdf_samples samples = {s[0], s[1], s[2], {s[3], s[4], s[5]}, s[6], s[7], delta};
         brdf_eval_many(bsdf, COUNT, vectors(a.wo), vectors(a.wi), colors);
@@ -119,7 +114,7 @@ static void the_api_adds_nothing(void **state)
     (void)state;
     static struct arrays a;
     fill(&a);
-    struct brdf_bsdf *bsdf = create("diffuse:reflectance=0.2/0.4/0.6");
+    struct brdf_bsdf *bsdf = bsdf_make("diffuse:reflectance=0.2/0.4/0.6");
     struct brdf_diffuse p = {brdf_rgb_make(0.2f, 0.4f, 0.6f)};
     int lit = 0;
     for (int i = 0; i < COUNT; ++i) {
@@ -142,8 +137,8 @@ static void two_sides_are_mirror_images(void **state)
     (void)state;
     static struct arrays a;
     fill(&a);
-    struct brdf_bsdf *one = create("roughconductor:alpha=0.4");
-    struct brdf_bsdf *two = create("roughconductor:alpha=0.4,twosided");
+    struct brdf_bsdf *one = bsdf_make("roughconductor:alpha=0.4");
+    struct brdf_bsdf *two = bsdf_make("roughconductor:alpha=0.4,twosided");
     int below = 0;
     for (int i = 0; i < COUNT; ++i) {
         brdf_vec3 wo = get(a.wo, i), wi = get(a.wi, i), u = get(a.u, i);
