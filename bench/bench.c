@@ -37,7 +37,7 @@ static int read_command_line(struct bench *bench, int argc, char **argv)
          "write everything as JSON, each round too; - is standard output"},
         {"quick", 0, OPTION_ON, &bench->quick, NULL, 0, 0, "shorter timings and smaller renders"},
         {"variance", 0, OPTION_ON, &bench->variance, NULL, 0, 0,
-         "noise instead of time: relative variance under two lights, --count samples"},
+         "noise instead of time: relative variance under four lights, --count samples"},
         {"scene", 0, OPTION_LIST, &bench->scenes, "FILE", 0, 0, "render this; several are fine"},
         {"rounds", 0, OPTION_INT, &bench->rounds, "N", 1, BENCH_ROUNDS, "7 if not given"},
         {"count", 0, OPTION_INT, &bench->count, "N", 1024, 1 << 26,

@@ -110,9 +110,12 @@ refused 1 'from 10000' test diffuse --samples 1
 # --- bench --variance ------------------------------------------------------------------------------
 
 last='bench --variance'
-expect 0 bench diffuse conductor --variance --count 16384 --json bench.json
-says out '^diffuse  *0.50000 .* 0.0'
-says out '^conductor  *0.686.* - '
+expect 0 bench diffuse conductor roughconductor:alpha=0.1,material=Au --variance --count 262144 --json bench.json
+says out '^diffuse  *constant  *0.5  *0  *0  *-$'
+says out '^conductor  *constant  *0.686.* - '
+# A lambertian under a disk: 1 / P - 1, where P = 0.0037980 is the chance of the cosine to hit it.
+holds 'a disk under the cosine' awk '/^ +disk / && n++ == 0 { exit !($2 > 0.001898 && $2 < 0.0019 && $4 > 240 && $4 < 285) }' out
+holds 'four times below the cosine' awk '/^roughconductor/ { at = 1 } at && /disk/ { n += $NF > 4 } END { exit n != 2 }' out
 says bench.json '"relative_variance_cosine": null'
 holds 'not valid JSON' valid_json bench.json
 rm bench.json

@@ -27,6 +27,8 @@ struct brdf_merl_file {
     float *rgb;     /* [theta_h][theta_d][phi_d][3], f in 1/sr; owned by the struct, malloc'd */
     size_t bins;    /* theta_h theta_d phi_d */
     size_t invalid; /* bins without a measurement; invalid / bins is their fraction */
+    int folded;     /* 1: the file had a whole turn of phi_d, 360 bins, and was folded; else 0 */
+    double folding; /* how unlike the values were that met then: mean difference over mean; or 0 */
 };
 
 /* What becomes of bins without a measurement (a negative value in any channel). */

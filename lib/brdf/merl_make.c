@@ -30,7 +30,7 @@ brdf_status brdf_merl_create(struct brdf_merl_file *file, struct brdf_error *err
         return brdf_fail(error, BRDF_BAD_ARGUMENT, "brdf_merl_create needs a file to fill");
     }
     memset(file, 0, sizeof *file);
-    brdf_status status = brdf_merl_reserve(file, error);
+    brdf_status status = brdf_merl_reserve(file, &brdf_merl_layout, error);
     if (status == BRDF_OK) {
         for (size_t i = 0; i < file->bins * 3; ++i) {
             file->rgb[i] = -1.0f;
@@ -48,7 +48,7 @@ brdf_status brdf_merl_make(brdf_merl_function *f, void *data, struct brdf_merl_f
                          "brdf_merl_make needs a function and a file to fill");
     }
     memset(file, 0, sizeof *file);
-    brdf_status status = brdf_merl_reserve(file, error);
+    brdf_status status = brdf_merl_reserve(file, &brdf_merl_layout, error);
     if (status != BRDF_OK) {
         return status;
     }

@@ -16,7 +16,9 @@ struct source {
     FILE *stream;
     const char *path;
     long long size;
-    int turns; /* 1: phi_d covers half a turn (180 bins); 2: a whole turn (360 bins) */
+    const struct brdf_merl_layout *layout;
+    int turns;         /* 1: phi_d covers half a turn; 2: a whole turn, to be folded */
+    double apart, sum; /* of values that met in folding: of |f - f'| and f + f' */
 };
 
 enum { CHUNK = 8192 }; /* values read at once: 64 KiB on the stack */
@@ -29,11 +31,12 @@ void brdf_merl_free(struct brdf_merl_file *file)
     }
 }
 
-brdf_status brdf_merl_reserve(struct brdf_merl_file *file, struct brdf_error *error)
+brdf_status brdf_merl_reserve(struct brdf_merl_file *file, const struct brdf_merl_layout *layout,
+                              struct brdf_error *error)
 {
-    file->theta_h = BRDF_MERL_FILE_THETA_H;
-    file->theta_d = BRDF_MERL_FILE_THETA_D;
-    file->phi_d = BRDF_MERL_FILE_PHI_D;
+    file->theta_h = layout->theta_h;
+    file->theta_d = layout->theta_d;
+    file->phi_d = layout->phi_d;
     file->bins = (size_t)file->theta_h * (size_t)file->theta_d * (size_t)file->phi_d;
     file->invalid = 0;
     file->rgb = malloc(file->bins * 3 * sizeof(float));
@@ -62,19 +65,21 @@ static brdf_status source_check(struct source *source, struct brdf_error *error)
         return brdf_fail(error, BRDF_BAD_FILE, "%s: is compressed; unpack it with `xz -dk` first",
                          source->path);
     }
+    const struct brdf_merl_layout *layout = source->layout;
     int32_t bins[3];
     for (int i = 0; i < 3; ++i) {
         uint32_t word = brdf_little32(header + 4 * i);
         memcpy(&bins[i], &word, sizeof word);
     }
-    if (bins[0] != BRDF_MERL_FILE_THETA_H || bins[1] != BRDF_MERL_FILE_THETA_D ||
-        (bins[2] != BRDF_MERL_FILE_PHI_D && bins[2] != 2 * BRDF_MERL_FILE_PHI_D)) {
+    if (bins[0] != layout->theta_h || bins[1] != layout->theta_d ||
+        (bins[2] != layout->phi_d && bins[2] != 2 * layout->phi_d)) {
         return brdf_fail(error, BRDF_BAD_FILE,
                          "%s: byte 0: the header says %ld x %ld x %ld bins; a MERL file has "
-                         "90 x 90 x 180 (or 360)",
-                         source->path, (long)bins[0], (long)bins[1], (long)bins[2]);
+                         "%d x %d x %d (or %d)",
+                         source->path, (long)bins[0], (long)bins[1], (long)bins[2], layout->theta_h,
+                         layout->theta_d, layout->phi_d, 2 * layout->phi_d);
     }
-    source->turns = (int)bins[2] / BRDF_MERL_FILE_PHI_D;
+    source->turns = (int)bins[2] / layout->phi_d;
     long long expected = BRDF_MERL_FILE_HEADER + 8LL * 3 * bins[0] * bins[1] * bins[2];
     if (source->size != expected) {
         return brdf_fail(
@@ -90,19 +95,21 @@ static brdf_status source_check(struct source *source, struct brdf_error *error)
  * Put one value of the file in its place. In a file of a whole turn the second half turn meets the
  * first: two valid values are averaged, one valid value wins over an invalid one.
  */
-static void value_store(float *slot, double value, int second)
+static void value_store(struct source *source, float *slot, double value, int second)
 {
     float f = value < 0.0 ? -1.0f : (float)value;
-    if (!second) {
+    if (!second || *slot < 0.0f) {
         *slot = f;
     } else if (f >= 0.0f) {
-        *slot = *slot < 0.0f ? f : 0.5f * (*slot + f);
+        source->apart += fabs((double)*slot - (double)f);
+        source->sum += (double)*slot + (double)f;
+        *slot = 0.5f * *slot + 0.5f * f;
     }
 }
 
 /* `count` values of one channel, the first of them being number `first` of its plane. */
-static brdf_status chunk_store(const struct source *source, struct brdf_merl_file *file,
-                               int channel, size_t first, const unsigned char *bytes, size_t count,
+static brdf_status chunk_store(struct source *source, struct brdf_merl_file *file, int channel,
+                               size_t first, const unsigned char *bytes, size_t count,
                                struct brdf_error *error)
 {
     size_t half_turn = (size_t)file->phi_d;
@@ -122,7 +129,7 @@ static brdf_status chunk_store(const struct source *source, struct brdf_merl_fil
                              at, value == value ? "infinite or too large" : "not a number");
         }
         size_t bin = row * half_turn + phi % half_turn;
-        value_store(&file->rgb[3 * bin + (size_t)channel], value, phi >= half_turn);
+        value_store(source, &file->rgb[3 * bin + (size_t)channel], value, phi >= half_turn);
         if (++phi == line) {
             phi = 0;
             ++row;
@@ -131,7 +138,7 @@ static brdf_status chunk_store(const struct source *source, struct brdf_merl_fil
     return BRDF_OK;
 }
 
-static brdf_status source_values(const struct source *source, struct brdf_merl_file *file,
+static brdf_status source_values(struct source *source, struct brdf_merl_file *file,
                                  struct brdf_error *error)
 {
     unsigned char bytes[8 * CHUNK];
@@ -168,12 +175,19 @@ static void bins_mark(struct brdf_merl_file *file)
 brdf_status brdf_merl_read(const char *path, enum brdf_merl_invalid invalid,
                            struct brdf_merl_file *file, struct brdf_error *error)
 {
-    struct source source = {NULL, path, 0, 1};
     if (!file || !path || invalid < BRDF_MERL_INVALID_FILL || invalid > BRDF_MERL_INVALID_KEEP) {
         return brdf_fail(error, BRDF_BAD_ARGUMENT,
                          "brdf_merl_read needs a path, a file to fill and one of "
                          "BRDF_MERL_INVALID_...");
     }
+    return brdf_merl_read_layout(path, &brdf_merl_layout, invalid, file, error);
+}
+
+brdf_status brdf_merl_read_layout(const char *path, const struct brdf_merl_layout *layout,
+                                  enum brdf_merl_invalid invalid, struct brdf_merl_file *file,
+                                  struct brdf_error *error)
+{
+    struct source source = {.path = path, .layout = layout, .turns = 1};
     memset(file, 0, sizeof *file);
     brdf_status status = brdf_regular_file_open(path, &source.stream, &source.size, error);
     if (status != BRDF_OK) {
@@ -183,7 +197,7 @@ brdf_status brdf_merl_read(const char *path, enum brdf_merl_invalid invalid,
     if (status != BRDF_OK) {
         goto done;
     }
-    status = brdf_merl_reserve(file, error);
+    status = brdf_merl_reserve(file, layout, error);
     if (status != BRDF_OK) {
         goto done;
     }
@@ -192,6 +206,8 @@ brdf_status brdf_merl_read(const char *path, enum brdf_merl_invalid invalid,
         goto done;
     }
     bins_mark(file);
+    file->folded = source.turns == 2;
+    file->folding = source.sum > 0.0 ? 2.0 * source.apart / source.sum : 0.0;
     if (file->invalid == file->bins) {
         status = brdf_fail(error, BRDF_BAD_FILE,
                            "%s: no bin is valid: every one has a negative value", path);

@@ -39,14 +39,14 @@ static int rgl_seed(const char *folder, const char *name, const struct brdf_rgl_
     return status;
 }
 
+/* The layout of fuzz_merl.c, 4 x 3 x phi_d; some bins are invalid, `values` is 3 times all. */
 static int merl_seed(const char *folder, const char *name, int phi_d, int values)
 {
     char path[1024];
-    unsigned char bytes[12 + 8 * 8] = {90, 0, 0, 0, 90, 0, 0, 0};
-    bytes[8] = (unsigned char)(phi_d & 255);
-    bytes[9] = (unsigned char)(phi_d >> 8);
-    for (int i = 0; i < values; ++i) {
-        memcpy(bytes + 12 + 8 * i, "\0\0\0\0\0\0\xf0\x3f", 8); /* 1 */
+    unsigned char bytes[12 + 8 * 3 * 4 * 3 * 10] = {4, 0, 0, 0, 3, 0, 0, 0};
+    bytes[8] = (unsigned char)phi_d;
+    for (int i = 0; i < values; ++i) { /* 1, or -1 */
+        memcpy(bytes + 12 + 8 * i, i % 7 ? "\0\0\0\0\0\0\xf0\x3f" : "\0\0\0\0\0\0\xf0\xbf", 8);
     }
     snprintf(path, sizeof path, "%s/merl/%s", folder, name);
     FILE *stream = fopen(path, "wb");
@@ -66,7 +66,8 @@ int main(int count, char **arguments)
     return rgl_seed(folder, "isotropic", &isotropic, 1) ||
            rgl_seed(folder, "plain", &isotropic, 0) ||
            rgl_seed(folder, "anisotropic", &turned, 1) ||
-           rgl_seed(folder, "spectral", &spectral, 1) || merl_seed(folder, "half_turn", 180, 8) ||
-           merl_seed(folder, "whole_turn", 360, 8) || merl_seed(folder, "empty", 180, 0) ||
-           merl_seed(folder, "other", 90, 4);
+           rgl_seed(folder, "spectral", &spectral, 1) ||
+           merl_seed(folder, "half_turn", 5, 3 * 4 * 3 * 5) ||
+           merl_seed(folder, "whole_turn", 10, 3 * 4 * 3 * 10) ||
+           merl_seed(folder, "empty", 5, 0) || merl_seed(folder, "other", 9, 4);
 }
