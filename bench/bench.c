@@ -19,10 +19,11 @@ static const char summary[] =
     "every model as it is initially), each operation, and whole renders (of scenes/cornell.xml, "
     "where it\n"
     "is found, or of each --scene). All run in turns; medians are printed, in millions a second. "
-    "'ratio'\n"
-    "is OpenCL at native lanes on all cores against C on one thread; 'B' the bytes that an "
+    "\"ratio\"\n"
+    "is OpenCL at native lanes on all cores against C on one thread; \"B\" the bytes that an "
     "evaluation\n"
-    "moves, 'of triad' what part of the measured bandwidth that is. All bits are compared first.\n"
+    "moves, \"of triad\" what part of the measured bandwidth that is. All bits are compared "
+    "first.\n"
     "Rates never decide the exit status; bits that differ do. With --variance no time is measured, "
     "but\n"
     "how much noise each material's sampling leaves, beside sampling the cosine.";
@@ -48,7 +49,7 @@ static int read_command_line(struct bench *bench, int argc, char **argv)
          "OpenCL device: its number or a part of its name"},
     };
     const struct usage usage = {
-        "bench", "[BSDF|FILE...]", summary, options, sizeof options / sizeof options[0], 0, 64};
+        "bench", "[MATERIAL...]", summary, options, sizeof options / sizeof options[0], 0, 64};
     int status = options_read(&usage, argc, argv, &bench->materials);
     bench->seconds = bench->quick ? 0.01 : 0.05;
     bench->rounds = bench->rounds ? bench->rounds : bench->quick ? 5 : 7;

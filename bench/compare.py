@@ -290,7 +290,7 @@ class Ours:
         theta = np.degrees(np.arccos(abs(cosine)))
         out = json.loads(self.run("albedo", material.description, "--theta", f"{theta:.9g}", *inside,
                                   "--samples", str(ALBEDO_SAMPLES), "--json", "-"))
-        row = out["angles"][0]
+        row = out["albedo"][0]
         return np.array(row["reflection"] + row["transmission"]), row["error"]
 
 

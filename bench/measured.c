@@ -113,6 +113,6 @@ brdf_status measured_bsdf_create(const char *description, struct brdf_bsdf **out
             return create_copper(model, &formats[i], out, error);
         }
     }
-    return brdf_fail(error, BRDF_UNSUPPORTED, "%s needs a file: name it as in '%s:filename=FILE'",
+    return brdf_fail(error, BRDF_UNSUPPORTED, "%s needs a file: name it as in \"%s:filename=FILE\"",
                      model->name, model->name);
 }

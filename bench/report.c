@@ -96,7 +96,7 @@ void bench_report_row(struct bench *bench, const struct bench_row *row)
     struct json *json = &bench->json;
     print_row(bench, row);
     json_object(json, NULL);
-    json_text(json, "subject", row->subject);
+    json_text(json, row->bytes ? "material" : "scene", row->subject);
     json_text(json, "operation", row->operation);
     if (row->bytes) {
         json_int(json, "bytes", row->bytes);

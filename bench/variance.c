@@ -175,16 +175,16 @@ void bench_variance_begin(struct bench *bench)
     printf(
         "disk: radiance 1 within %g degrees of the mirror direction; off: of %g degrees from it\n",
         disk_degrees, lights[2].axis.theta - lights[3].axis.theta);
-    printf("cosine: what sampling the cosine leaves, '-' where it cannot find delta lobes\n\n");
+    printf("cosine: what sampling the cosine leaves, \"-\" where it cannot find delta lobes\n\n");
     printf("%-40s %-9s %10s %10s %10s %8s\n", "material", "light", "mean", "sampled", "cosine",
            "ratio");
     json_object(&bench->json, NULL);
     json_text(&bench->json, "version", BRDFCL_VERSION);
     json_int(&bench->json, "samples", bench->count);
-    json_real(&bench->json, "viewer_degrees", viewer.theta);
+    json_real(&bench->json, "viewer_theta", viewer.theta);
     json_int(&bench->json, "lobe_exponent", LOBE);
-    json_real(&bench->json, "lobe_degrees", lights[1].axis.theta);
-    json_real(&bench->json, "disk_degrees", disk_degrees);
+    json_real(&bench->json, "lobe_theta", lights[1].axis.theta);
+    json_real(&bench->json, "disk_radius", disk_degrees);
     json_array(&bench->json, "rows");
 }
 

@@ -21,7 +21,8 @@ static const char summary[] =
     "it can,\n"
     "transmits (T), for red, green and blue, over angles of incidence, and the average over all "
     "directions\n"
-    "of the side. 'error' is one standard deviation of the worst of a row's numbers. A sum above 1 "
+    "of the side. \"error\" is one standard deviation of the worst of a row's numbers. A sum above "
+    "1 "
     "is light\n"
     "from nowhere.";
 
@@ -55,7 +56,7 @@ static int read_command_line(struct albedo_run *run, int argc, char **argv)
          "write everything as JSON; - is standard output, which then has no table"},
     };
     const struct usage usage = {
-        "albedo", "BSDF|FILE", summary, options, sizeof options / sizeof options[0], 1, 1};
+        "albedo", "MATERIAL", summary, options, sizeof options / sizeof options[0], 1, 1};
     struct texts arguments;
     int status = options_read(&usage, argc, argv, &arguments);
     run->description = status == OPTIONS_GO_ON ? arguments.item[0] : NULL;
@@ -124,11 +125,11 @@ static void measure(struct albedo_run *run, const struct brdf_bsdf *bsdf)
 {
     struct json *json = &run->json;
     json_object(json, NULL);
-    json_text(json, "bsdf", run->description);
+    json_text(json, "material", run->description);
     json_text(json, "side", run->inside ? "inside" : "above");
     json_real(json, "phi", run->phi);
     json_int(json, "samples", run->samples);
-    json_array(json, "angles");
+    json_array(json, "albedo");
     print_heading(run);
     for (int i = 0; i < run->theta.count; ++i) {
         struct angles angles = {run->theta.item[i], run->phi, 1};
@@ -149,7 +150,7 @@ static void measure(struct albedo_run *run, const struct brdf_bsdf *bsdf)
     if (is_printing(run)) {
         print_row(run, "average", &average);
     }
-    json_object(json, "average");
+    json_object(json, "albedo_average");
     put_albedo(json, &average);
     json_object_end(json);
 }
@@ -162,7 +163,7 @@ static brdf_status check_side(const struct albedo_run *run, const struct brdf_bs
     if (run->inside && !(material->flags & (BRDF_TRANSMISSION | BRDF_TWOSIDED))) {
         return brdf_fail(error, BRDF_BAD_ARGUMENT,
                          "%s neither transmits nor is twosided: from inside it is black; leave "
-                         "--inside out, or add 'twosided' to the description",
+                         "--inside out, or add \"twosided\" to the description",
                          brdf_model_info((int)material->model)->name);
     }
     return BRDF_OK;

@@ -143,7 +143,7 @@ int command_check(int argc, char **argv)
         {"seed", 0, OPTION_INT, &seed, "N", 0, 2147483647, "another seed, other calls"},
     };
     const struct usage usage = {
-        "check", "[MODEL|BSDF|FILE...]", summary, options, sizeof options / sizeof options[0], 0,
+        "check", "[MODEL|MATERIAL...]", summary, options, sizeof options / sizeof options[0], 0,
         64};
     struct texts names;
     int exit_status = options_read(&usage, argc, argv, &names);

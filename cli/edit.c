@@ -59,7 +59,7 @@ static int read_command_line(struct edit_run *run, int argc, char **argv)
     edit->part = (enum lab_edit_part)run->part;
     status = measured_format(run->out, LAB_FORMAT_NONE, &format);
     if (status == OPTIONS_GO_ON && format != LAB_FORMAT_MERL) {
-        return say_usage("edit writes MERL files: name '%s' .binary, and convert it afterwards",
+        return say_usage("edit writes MERL files: name \"%s\" .binary, and convert it afterwards",
                          run->out);
     }
     return status;

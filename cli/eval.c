@@ -53,7 +53,7 @@ int command_eval(int argc, char **argv)
          "vector lanes of kernels: 1, 4, 8, 16"},
     };
     const struct usage usage = {
-        "eval", "BSDF|FILE", summary, options, sizeof options / sizeof options[0], 1, 1};
+        "eval", "MATERIAL", summary, options, sizeof options / sizeof options[0], 1, 1};
     struct texts arguments;
     int status = options_read(&usage, argc, argv, &arguments);
     if (status == OPTIONS_GO_ON) {

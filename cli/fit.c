@@ -125,7 +125,7 @@ int command_fit(int argc, char **argv)
         {"seed", 0, OPTION_INT, &seed, "N", 0, 1e9, "where the starts begin"},
     };
     const struct usage usage = {
-        "fit", "FILE|BSDF", summary, options, sizeof options / sizeof options[0], 1, 1};
+        "fit", "MATERIAL", summary, options, sizeof options / sizeof options[0], 1, 1};
     struct texts arguments;
     struct brdf_error error = {BRDF_OK, ""};
     int status = options_read(&usage, argc, argv, &arguments);
@@ -133,7 +133,7 @@ int command_fit(int argc, char **argv)
         return status;
     }
     if (!fit.model) {
-        return say_usage("fit needs --model MODEL; 'brdfcl models' lists them");
+        return say_usage("fit needs --model MODEL; \"brdfcl models\" lists them");
     }
     fit.metric = (enum lab_fit_metric)metric;
     fit.seed = (unsigned)seed;

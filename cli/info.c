@@ -197,10 +197,12 @@ static void put_survey(struct json *json, const struct lab_survey *s)
         json_object_end(json);
     }
     json_array_end(json);
-    put_color(json, "albedo_average", s->albedo_diffuse);
+    json_object(json, "albedo_average");
+    put_color(json, "reflection", s->albedo_diffuse);
+    json_object_end(json);
     json_real(json, "reciprocity", s->reciprocity);
     json_real(json, "energy", s->energy);
-    json_real(json, "energy_angle", s->energy_angle);
+    json_real(json, "energy_theta", s->energy_angle);
 }
 
 static brdf_status write_json(const struct info_run *run, struct brdf_error *error)
@@ -209,7 +211,7 @@ static brdf_status write_json(const struct info_run *run, struct brdf_error *err
     struct json json = {0};
     char text[300];
     json_object(&json, NULL);
-    json_text(&json, "file", run->path);
+    json_text(&json, "material", run->path);
     json_text(&json, "format", names[run->format]);
     if (run->format == LAB_FORMAT_MERL) {
         put_merl(&json, &run->merl);

@@ -44,7 +44,7 @@ static void help(FILE *file)
     for (int i = 0; i < COMMANDS; ++i) {
         fprintf(file, "  %-10s %s\n", commands[i].name, commands[i].summary);
     }
-    fputs("\n'brdfcl COMMAND --help' says more; 'brdfcl --version' says which this is.\n"
+    fputs("\n\"brdfcl COMMAND --help\" says more; \"brdfcl --version\" says which this is.\n"
           "Exit status: 0 done, 1 failed, 2 the command line is not valid.\n",
           file);
 }
@@ -55,7 +55,7 @@ static int unknown_command(const char *name)
     for (int i = 0; i < COMMANDS; ++i) {
         names[i] = commands[i].name;
     }
-    return say_usage("unknown command '%s'%s; 'brdfcl --help' lists them", name,
+    return say_usage("unknown command \"%s\"%s; \"brdfcl --help\" lists them", name,
                      say_nearest(brdf_name_nearest(name, names, COMMANDS)).text);
 }
 

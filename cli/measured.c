@@ -27,8 +27,8 @@ int measured_format(const char *path, int wanted, enum lab_format *format)
         *format = LAB_FORMAT_RGL;
     }
     if (*format == LAB_FORMAT_NONE) {
-        return say_usage("'%s' has no suffix that tells its format: .binary is MERL's, .bsdf RGL's",
-                         path);
+        return say_usage(
+            "\"%s\" has no suffix that tells its format: .binary is MERL's, .bsdf RGL's", path);
     }
     return OPTIONS_GO_ON;
 }

@@ -54,7 +54,7 @@ static int read_command_line(struct mix_run *run, int argc, char **argv)
     run->out = run->arguments.item[run->count];
     status = measured_format(run->out, LAB_FORMAT_NONE, &format);
     if (status == OPTIONS_GO_ON && format != LAB_FORMAT_MERL) {
-        return say_usage("mix writes MERL files: name '%s' .binary, and convert it afterwards",
+        return say_usage("mix writes MERL files: name \"%s\" .binary, and convert it afterwards",
                          run->out);
     }
     return status;

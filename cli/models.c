@@ -174,7 +174,7 @@ int command_models(int argc, char **argv)
     }
     const struct brdf_model_info *model = brdf_model_find(arguments.item[0]);
     if (!model) {
-        say("unknown model '%s'%s; 'brdfcl models' lists them", arguments.item[0],
+        say("unknown model \"%s\"%s; \"brdfcl models\" lists them", arguments.item[0],
             say_nearest(brdf_model_nearest(arguments.item[0])).text);
         return EXIT_FAILED;
     }

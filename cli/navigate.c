@@ -76,7 +76,7 @@ static void print_map(const struct navigate_run *run)
         printf("\n");
     }
     if (basis->count <= components + 2) {
-        printf("\n%zu components fit %zu materials whatever they are: 'explained' means nothing "
+        printf("\n%zu components fit %zu materials whatever they are: \"explained\" means nothing "
                "here, more\nmaterials or a smaller --components would\n",
                components, basis->count);
     }
@@ -128,7 +128,7 @@ static brdf_status step_trait(struct navigate_run *run, const char *text, struct
                                name);
     }
     return brdf_fail(error, BRDF_UNKNOWN_NAME,
-                     "no trait is called \"%s\"%s; 'brdfcl navigate' on the materials lists them",
+                     "no trait is called \"%s\"%s; \"brdfcl navigate\" on the materials lists them",
                      name, say_nearest(brdf_name_nearest(name, names, LAB_TRAITS)).text);
 }
 
@@ -266,8 +266,8 @@ static int read_command_line(struct navigate_run *run, int argc, char **argv,
         return status;
     }
     if (format != LAB_FORMAT_MERL) {
-        return say_usage("navigate writes MERL files: name '%s' .binary, and convert it afterwards",
-                         run->out);
+        return say_usage(
+            "navigate writes MERL files: name \"%s\" .binary, and convert it afterwards", run->out);
     }
     if (!run->out && (run->at.count || run->traits.count || run->project)) {
         return say_usage(

@@ -54,7 +54,7 @@ static int unknown_option(const struct usage *usage, const char *given, const ch
     const char *nearest = length ? brdf_name_nearest(text, names, count) : NULL;
     char dashed[72];
     snprintf(dashed, sizeof dashed, "--%s", nearest ? nearest : "");
-    return say_usage("unknown option '%s'%s; 'brdfcl %s --help' lists them", given,
+    return say_usage("unknown option \"%s\"%s; \"brdfcl %s --help\" lists them", given,
                      say_nearest(nearest ? dashed : NULL).text, usage->command);
 }
 
@@ -111,20 +111,20 @@ static int say_malformed(const struct option *option, const char *shown, const c
 {
     switch (option->kind) {
     case OPTION_INT:
-        return say_usage("%s '%s': expected a whole number from %.15g to %.15g", shown, text,
+        return say_usage("%s \"%s\": expected a whole number from %.15g to %.15g", shown, text,
                          option->low, option->high);
     case OPTION_REAL:
-        return say_usage("%s '%s': expected a number from %.15g to %.15g", shown, text, option->low,
-                         option->high);
+        return say_usage("%s \"%s\": expected a number from %.15g to %.15g", shown, text,
+                         option->low, option->high);
     case OPTION_REALS:
-        return say_usage("%s '%s': expected numbers from %.15g to %.15g, as in 1,2.5,4", shown,
+        return say_usage("%s \"%s\": expected numbers from %.15g to %.15g, as in 1,2.5,4", shown,
                          text, option->low, option->high);
     case OPTION_SIZE:
-        return say_usage("%s '%s': expected WIDTHxHEIGHT in pixels, as in 640x480", shown, text);
+        return say_usage("%s \"%s\": expected WIDTHxHEIGHT in pixels, as in 640x480", shown, text);
     case OPTION_ANGLES:
-        return say_usage("%s '%s': expected THETA,PHI in degrees, as in 30,180", shown, text);
+        return say_usage("%s \"%s\": expected THETA,PHI in degrees, as in 30,180", shown, text);
     default:
-        return say_usage("%s '%s': expected one of %s", shown, text, option->value);
+        return say_usage("%s \"%s\": expected one of %s", shown, text, option->value);
     }
 }
 
@@ -144,14 +144,15 @@ static int apply(const struct option *option, const char *shown, const char *tex
         break;
     }
     if (option->kind == OPTION_ANGLES) {
-        say("%s '%s': theta goes from 0 to 180 degrees, phi is finite", shown, text);
+        say("%s \"%s\": theta goes from 0 to 180 degrees, phi is finite", shown, text);
     } else if (option->kind == OPTION_LIST) {
         say("%s is given more often than 64 times", shown);
     } else if (option->kind == OPTION_REALS) {
-        say("%s '%s': up to 256 numbers from %.15g to %.15g", shown, text, option->low,
+        say("%s \"%s\": up to 256 numbers from %.15g to %.15g", shown, text, option->low,
             option->high);
     } else {
-        say("%s '%s' is out of range: from %.15g to %.15g", shown, text, option->low, option->high);
+        say("%s \"%s\" is out of range: from %.15g to %.15g", shown, text, option->low,
+            option->high);
     }
     return EXIT_FAILED;
 }
@@ -198,7 +199,7 @@ int options_read(const struct usage *usage, int argc, char **argv, struct texts 
         const char *text = argv[i];
         if (only_arguments || text[0] != '-' || text[1] == '\0') {
             if (arguments->count == usage->most) {
-                return say_usage("'%s' is one argument too many; usage: brdfcl %s %s", text,
+                return say_usage("\"%s\" is one argument too many; usage: brdfcl %s %s", text,
                                  usage->command, usage->arguments);
             }
             arguments->item[arguments->count++] = text;

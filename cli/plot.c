@@ -47,14 +47,14 @@ static int read_panels(const char *list, struct lab_plot_settings *settings)
             ++k;
         }
         if (k == LAB_PANEL_COUNT) {
-            return say_usage("--panels: no panel '%s'%s; there are sphere, lobe, slice, albedo, "
+            return say_usage("--panels: no panel \"%s\"%s; there are sphere, lobe, slice, albedo, "
                              "image",
                              item,
                              say_nearest(brdf_name_nearest(item, names, LAB_PANEL_COUNT)).text);
         }
         for (int i = 0; i < settings->panels; ++i) {
             if ((int)settings->panel[i] == k) {
-                return say_usage("--panels names '%s' twice", item);
+                return say_usage("--panels names \"%s\" twice", item);
             }
         }
         settings->panel[settings->panels++] = (enum lab_panel)k;
@@ -140,7 +140,7 @@ int command_plot(int argc, char **argv)
          "pixels a point, how large everything in a PNG is; 2 if not given"},
     };
     const struct usage usage = {
-        "plot", "BSDF|FILE...",         summary, options, sizeof options / sizeof options[0],
+        "plot", "MATERIAL...",          summary, options, sizeof options / sizeof options[0],
         1,      LAB_PLOT_MATERIALS_MOST};
     struct texts arguments;
     int status = options_read(&usage, argc, argv, &arguments);

@@ -85,7 +85,7 @@ static brdf_status load_scene(const struct render_request *request, struct brdfc
         const char *text = request->defines.item[i];
         size_t length = strcspn(text, "=");
         if (!text[length] || length == 0 || length >= sizeof names[i]) {
-            return brdf_fail(error, BRDF_BAD_ARGUMENT, "-D '%s': expected NAME=VALUE", text);
+            return brdf_fail(error, BRDF_BAD_ARGUMENT, "-D \"%s\": expected NAME=VALUE", text);
         }
         memcpy(names[i], text, length);
         names[i][length] = '\0';

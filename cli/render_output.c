@@ -107,6 +107,7 @@ static brdf_status write_json(const struct render_request *request,
 
     struct json json = {0};
     json_object(&json, NULL);
+    json_text(&json, "scene", request->scene_path);
     json_int(&json, "width", result->image.width);
     json_int(&json, "height", result->image.height);
     json_int(&json, "spp", result->spp);

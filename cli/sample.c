@@ -40,7 +40,7 @@ int command_sample(int argc, char **argv)
         {"seed", 0, OPTION_INT, &seed, "N", 0, 2147483647, "another seed, other numbers"},
     };
     const struct usage usage = {
-        "sample", "BSDF|FILE", summary, options, sizeof options / sizeof options[0], 1, 1};
+        "sample", "MATERIAL", summary, options, sizeof options / sizeof options[0], 1, 1};
     struct texts arguments;
     int status = options_read(&usage, argc, argv, &arguments);
     if (status != OPTIONS_GO_ON) {

@@ -41,7 +41,7 @@ struct say_hint say_nearest(const char *nearest)
 {
     struct say_hint hint = {""};
     if (nearest) {
-        snprintf(hint.text, sizeof hint.text, " (did you mean '%s'?)", nearest);
+        snprintf(hint.text, sizeof hint.text, " (did you mean \"%s\"?)", nearest);
     }
     return hint;
 }

@@ -19,8 +19,8 @@ static const char summary[] =
     "energy,\n"
     "the mass of its density, and whether its samples have that density (chi-square). For each "
     "test what\n"
-    "was measured, the limit, and where it was the worst; 'open' is what could not be told, "
-    "'note'\n"
+    "was measured, the limit, and where it was the worst; \"open\" is what could not be told, "
+    "\"note\"\n"
     "what is beyond its limit as the data or the parameters ask for it. Exit status 1 if a test "
     "fails.\n"
     "With --all the cases of every model, or of the models named: initial and "
@@ -36,9 +36,9 @@ void test_note(struct test_run *run, const struct lab_finding *finding)
     run->noted += finding->verdict == LAB_NOTE;
     json_object(json, NULL);
     json_text(json, "test", lab_test_name(finding->test));
-    json_real(json, "angle", finding->angle);
+    json_real(json, "theta", finding->angle);
     json_real(json, "measured", finding->measured);
-    json_real(json, finding->at_least ? "least" : "most", finding->limit);
+    json_real(json, finding->at_least ? "at_least" : "at_most", finding->limit);
     json_text(json, "verdict", lab_verdict_name(finding->verdict));
     json_text(json, "detail", finding->detail);
     json_text(json, "where", finding->where);
@@ -77,7 +77,7 @@ brdf_status test_material(struct test_run *run, const char *description, struct 
     if (status) {
         return status;
     }
-    json_text(&run->json, "bsdf", description);
+    json_text(&run->json, "material", description);
     json_array(&run->json, "findings");
     if (run->is_printing) {
         printf("%-23s %5s  %10s  %-13s\n", "test", "angle", "measured", "limit");
@@ -128,7 +128,7 @@ int command_test(int argc, char **argv)
         {"json", 0, OPTION_TEXT, &run.json_path, "FILE", 0, 0,
          "write everything as JSON; - is standard output, which then has no table"},
     };
-    const struct usage usage = {"test",  "BSDF|FILE | --all [MODEL...]",     summary,
+    const struct usage usage = {"test",  "MATERIAL | --all [MODEL...]",      summary,
                                 options, sizeof options / sizeof options[0], 0,
                                 64};
     struct texts arguments;

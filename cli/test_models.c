@@ -94,7 +94,7 @@ static brdf_status test_cases(struct test_run *run, const struct lab_cases *case
         tally.one = &cases->items[i];
         trial.seed = run->trial.seed * 1000 + i;
         json_object(&run->json, NULL);
-        json_text(&run->json, "bsdf", cases->items[i].text);
+        json_text(&run->json, "material", cases->items[i].text);
         json_array(&run->json, "findings");
         status = lab_trial_run(&trial, &cases->items[i].bsdf, report, &tally, error);
         json_array_end(&run->json);
@@ -126,8 +126,9 @@ static int choose_models(const struct texts *names, int *tags, struct brdf_error
     for (int i = 0; i < names->count; ++i) {
         const struct brdf_model_info *model = brdf_model_find(names->item[i]);
         if (!model) {
-            brdf_fail(error, BRDF_UNKNOWN_NAME, "unknown model '%s'%s; 'brdfcl models' lists them",
-                      names->item[i], say_nearest(brdf_model_nearest(names->item[i])).text);
+            brdf_fail(error, BRDF_UNKNOWN_NAME,
+                      "unknown model \"%s\"%s; \"brdfcl models\" lists them", names->item[i],
+                      say_nearest(brdf_model_nearest(names->item[i])).text);
             return -1;
         }
         tags[i] = model->tag;

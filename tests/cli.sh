@@ -29,7 +29,7 @@ says out 'render'
 expect 0 --version
 says out '^brdfcl [0-9]'
 expect 2
-refused 2 "did you mean 'render'" rendr scene.xml
+refused 2 'did you mean "render"' rendr scene.xml
 for command in render models devices eval sample albedo test check bench; do
     last="$command --help"
     expect 0 "$command" --help
@@ -54,7 +54,7 @@ last='models roughdiffuse'
 expect 0 models roughdiffuse
 says out '^orennayar: '
 says out 'also called roughdiffuse'
-refused 1 "did you mean 'phong'" models phnog
+refused 1 'did you mean "phong"' models phnog
 refused 2 'too many' models phong diffuse
 last=devices
 expect 0 devices
@@ -129,7 +129,7 @@ refused 1 'folder' bench diffuse --json /nonexistent/bench.json
 
 refused 2 'missing' render
 refused 2 'too many' render scene.xml scene.xml
-refused 2 "did you mean '--spp'" render scene.xml --sp 4
+refused 2 'did you mean "--spp"' render scene.xml --sp 4
 refused 2 'needs a value' render scene.xml --spp
 refused 2 'whole number' render scene.xml --spp many
 refused 2 'takes no value' render scene.xml --quiet=yes
@@ -141,7 +141,7 @@ refused 1 'from 1 to' render scene.xml --spp 99999999999999999999
 refused 1 'from 1 to' render scene.xml --size 0x5
 refused 1 'from 1 to' render scene.xml --size 5x1000000
 refused 1 'lanes' render scene.xml --lanes 3
-refused 1 "'nope'" render scene.xml --device nope
+refused 1 '"nope"' render scene.xml --device nope
 refused 1 'nope' render scene.xml -D nope=1
 refused 1 'NAME=VALUE' render scene.xml -D albedo
 refused 1 'nope.xml' render nope.xml
@@ -173,11 +173,11 @@ holds 'a.exr is no OpenEXR file' magic a.exr 762f3101
 holds 'a.png is no PNG file' magic a.png 89504e47
 holds 'not valid JSON' valid_json a.json
 holds 'a.exr does not name the program' grep -q -a 'brdfcl [0-9]' a.exr
-for key in width height spp depth seed backend device lanes seconds_kernel_build seconds_render \
+for key in scene width height spp depth seed backend device lanes seconds_kernel_build seconds_render \
     samples_per_second rays peak_rss_bytes mean image_hash; do
     holds "no $key in the JSON" grep -q "^  \"$key\": " a.json
 done
-holds 'other keys in the JSON' [ "$(grep -c '^  "' a.json)" -eq 15 ]
+holds 'other keys in the JSON' [ "$(grep -c '^  "' a.json)" -eq 16 ]
 hash_of() {
     grep '"image_hash": "0x[0-9a-f]\{16\}"' "$1"
 }

@@ -79,7 +79,7 @@ last='info --json -'
 expect 0 info metal.binary --json -
 cp out info.json
 holds 'not valid JSON' valid_json info.json
-for key in file format bins valid_fraction least largest noise albedo reciprocity energy doubts; do
+for key in material format bins valid_fraction least largest noise albedo reciprocity energy doubts; do
     says info.json "\"$key\": "
 done
 rm info.json holed.binary

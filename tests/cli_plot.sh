@@ -54,7 +54,7 @@ refused 2 'an argument is missing' plot -o a.png
 refused 1 '\.png or a \.svg' plot diffuse -o a.pdf
 refused 1 "did you mean .diffuse." plot difuse -o a.png
 refused 1 'nonexistent' plot diffuse -o nonexistent/a.png
-refused 2 "did you mean 'sphere'" plot diffuse --panels spere -o a.png
+refused 2 'did you mean "sphere"' plot diffuse --panels spere -o a.png
 refused 2 'twice' plot diffuse --panels lobe,lobe -o a.png
 refused 1 'from 0 to 89.9' plot diffuse --angles 90 -o a.png
 refused 2 'too many' plot diffuse --angles 1,2,3,4,5,6,7,8,9 -o a.png

@@ -61,7 +61,7 @@ last='albedo --json -'
 expect 0 albedo dielectric --angles 2 --json -
 cp out albedo.json
 holds 'not valid JSON' valid_json albedo.json
-for key in bsdf side phi samples angles theta reflection transmission error average; do
+for key in material side phi samples albedo theta reflection transmission error albedo_average; do
     says albedo.json "\"$key\": "
 done
 rm albedo.json
@@ -93,7 +93,7 @@ last='test --json -'
 expect 0 test lommelseeliger $few --json - --seed 7
 cp out test.json
 holds 'not valid JSON' valid_json test.json
-for line in '"seed": 7' '"bsdf": "lommelseeliger"' '"verdict": "pass"' '"failed": 0'; do
+for line in '"seed": 7' '"material": "lommelseeliger"' '"verdict": "pass"' '"failed": 0'; do
     says test.json "$line"
 done
 rm test.json
@@ -103,7 +103,7 @@ says out '^lommelseeliger  *[0-9][0-9]* .* 0$'
 says out ' 0 failed'
 refused 2 'one material' test
 refused 2 'one material' test diffuse phong
-refused 1 "did you mean 'phong'" test --all phnog
+refused 1 'did you mean "phong"' test --all phnog
 refused 1 'no model is called' test nothing
 refused 1 'from 10000' test diffuse --samples 1
 

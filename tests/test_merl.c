@@ -210,6 +210,8 @@ static void a_whole_turn_is_folded(void **state)
     value_patch(place->path, 720 + 220, -1.0);
     assert_int_equal(brdf_merl_read(place->path, BRDF_MERL_INVALID_KEEP, &file, NULL), BRDF_OK);
     assert_int_equal(file.phi_d, 180);
+    assert_true(file.folded);
+    assert_true(fabs(file.folding - 2.0 * (3.0 - 1.0) / (3.0 + 1.0)) < 1e-6);
     assert_int_equal(file.invalid, 0);
     assert_float_equal(file.rgb[3 * 20], 2.0f, 1e-6f);
     assert_float_equal(file.rgb[3 * (180 + 30)], 1.0f, 1e-6f);

@@ -62,7 +62,7 @@ static brdf_status source_check(struct source *source, struct brdf_error *error)
                          strerror(errno));
     }
     if (memcmp(header, xz, sizeof xz) == 0) {
-        return brdf_fail(error, BRDF_BAD_FILE, "%s: is compressed; unpack it with `xz -dk` first",
+        return brdf_fail(error, BRDF_BAD_FILE, "%s: is compressed; unpack it with \"xz -dk\" first",
                          source->path);
     }
     const struct brdf_merl_layout *layout = source->layout;

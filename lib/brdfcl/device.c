@@ -66,7 +66,7 @@ static brdf_status no_device(const char *choice, struct brdf_error *error)
                          "no OpenCL device found: install one (Debian: pocl-opencl-icd), or use "
                          "the C renderer (--backend c)");
     }
-    return brdf_fail(error, BRDF_NO_DEVICE, "no OpenCL device fits '%s'; there are: %s", choice,
+    return brdf_fail(error, BRDF_NO_DEVICE, "no OpenCL device fits \"%s\"; there are: %s", choice,
                      known);
 }
 

@@ -195,12 +195,12 @@ static brdf_status check_metadata_name(const char *name, struct brdf_error *erro
     size_t length = name ? strlen(name) : 0;
     if (length < 1 || length > METADATA_NAME_MAX || strspn(name, letters) != length)
         return brdf_fail(error, BRDF_BAD_ARGUMENT,
-                         "metadata '%s': a name is 1 to %d letters, digits, _ - or .",
+                         "metadata \"%s\": a name is 1 to %d letters, digits, _ - or .",
                          name ? name : "(none)", METADATA_NAME_MAX);
     for (size_t i = 0; i < COUNT(reserved); i++)
         if (strcmp(name, reserved[i]) == 0)
             return brdf_fail(error, BRDF_BAD_ARGUMENT,
-                             "metadata '%s': OpenEXR keeps this name for itself", name);
+                             "metadata \"%s\": OpenEXR keeps this name for itself", name);
     return BRDF_OK;
 }
 
@@ -219,13 +219,13 @@ static brdf_status check_options(const struct brdfcl_image_options *options,
             return status;
         if (entry->kind != BRDFCL_METADATA_TEXT && entry->kind != BRDFCL_METADATA_INT &&
             entry->kind != BRDFCL_METADATA_FLOAT)
-            return brdf_fail(error, BRDF_BAD_ARGUMENT, "metadata '%s': unknown kind %d",
+            return brdf_fail(error, BRDF_BAD_ARGUMENT, "metadata \"%s\": unknown kind %d",
                              entry->name, (int)entry->kind);
         if (entry->kind == BRDFCL_METADATA_TEXT && !entry->value.text)
-            return brdf_fail(error, BRDF_BAD_ARGUMENT, "metadata '%s': no text", entry->name);
+            return brdf_fail(error, BRDF_BAD_ARGUMENT, "metadata \"%s\": no text", entry->name);
         for (int j = 0; j < i; j++)
             if (strcmp(entry->name, options->metadata[j].name) == 0)
-                return brdf_fail(error, BRDF_BAD_ARGUMENT, "metadata '%s': given twice",
+                return brdf_fail(error, BRDF_BAD_ARGUMENT, "metadata \"%s\": given twice",
                                  entry->name);
     }
     return BRDF_OK;

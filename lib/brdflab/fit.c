@@ -103,7 +103,7 @@ static brdf_status search_end(struct search *search, const struct place *places,
     }
     if (!isfinite(best->error)) {
         return brdf_fail(search->error, BRDF_UNSUPPORTED,
-                         "no parameters of '%s' gave a finite error", search->options->model);
+                         "no parameters of \"%s\" gave a finite error", search->options->model);
     }
     result->error = best->error;
     result->agreement = (double)agree / search->options->starts;

@@ -127,8 +127,9 @@ brdf_status fit_space_make(const struct lab_fit_options *options, struct fit_spa
         status = part_add(space, options->model, options, error);
     }
     if (!status && space->size == 0) {
-        status = brdf_fail(error, BRDF_UNSUPPORTED,
-                           "'%s' sets every parameter: there is nothing to search", options->model);
+        status =
+            brdf_fail(error, BRDF_UNSUPPORTED,
+                      "\"%s\" sets every parameter: there is nothing to search", options->model);
     }
     weights_add(space);
     return status;

@@ -41,7 +41,7 @@ static brdf_status refuse(const char *text, int reason, struct brdf_error *error
     if (reason == ENOENT && !strpbrk(name, "./")) {
         return brdf_fail(
             error, BRDF_UNKNOWN_NAME,
-            "%s: there is no such file, and no model is called \"%s\"; 'brdfcl models' "
+            "%s: there is no such file, and no model is called \"%s\"; \"brdfcl models\" "
             "lists them",
             text, name);
     }

@@ -33,7 +33,7 @@ int plot_file_is_svg(const char *path)
 brdf_status lab_plot_path_check(const char *path, struct brdf_error *error)
 {
     if (suffix_of(path) < 0) {
-        return brdf_fail(error, BRDF_UNSUPPORTED, "'%s': a plot is a .png or a .svg file", path);
+        return brdf_fail(error, BRDF_UNSUPPORTED, "\"%s\": a plot is a .png or a .svg file", path);
     }
     return brdfcl_atomic_check(path, error);
 }
