@@ -37,9 +37,6 @@ static inline brdf_real pt_fork_weight(struct pt_world w, BRDF_GLOBAL const stru
     return fork->weight;
 }
 
-/* The greatest number below 1 that random numbers reach. */
-#define PT_BELOW_ONE 0.99999994f
-
 /*
  * One number decides all forks on the way: what is left of it after a decision is again uniform.
  * Forks are gone through from the last to the first, as each comes after those it leads to; which
@@ -69,7 +66,7 @@ static inline void pt_resolve(struct pt_world w, struct pt_pass pass, int packet
         brdf_mask second = u < weight;
         brdf_real from = brdf_pick(second, 0.0f, weight);
         brdf_real share = brdf_pick(second, weight, 1.0f - weight);
-        brdf_real rest = brdf_min((u - from) / brdf_max(share, 1e-30f), PT_BELOW_ONE);
+        brdf_real rest = brdf_min((u - from) / brdf_max(share, 1e-30f), BRDF_ONE_MINUS_ULP);
         u = brdf_pick(here, rest, u);
         key = brdf_pick_int(here, brdf_pick_int(second, fork->second, fork->first), key);
     }

@@ -33,7 +33,7 @@ static inline struct pt_choice pt_search(BRDF_GLOBAL const float *words, brdf_in
     choice.index = low;
     choice.mass = brdf_gather(words, first + low + 1) - below;
     choice.remainder = (u - below) / brdf_max(choice.mass, 1e-30f);
-    choice.remainder = brdf_clamp(choice.remainder, 0.0f, 0.99999994f);
+    choice.remainder = brdf_clamp(choice.remainder, 0.0f, BRDF_ONE_MINUS_ULP);
     return choice;
 }
 

@@ -136,74 +136,109 @@ static inline brdf_real pt_roulette(brdf_rgb throughput, brdf_real eta, brdf_rea
     return brdf_pick(u < survive, 1.0f / brdf_max(survive, 1e-6f), 0.0f);
 }
 
+/* A packet of paths where they met one surface. */
+struct pt_arrival {
+    BRDF_GLOBAL const struct pt_surface *surface;
+    brdf_int path;
+    brdf_mask used; /* the lanes that hold a path */
+    struct pt_meeting m;
+};
+
+/* What every surface begins with: the paths gain what it emits itself. */
+static inline struct pt_arrival pt_arrive(struct pt_world w, int packet)
+{
+    struct pt_arrival a;
+    a.surface = pt_surface_at(w, w.queues[w.settings->packet_surface + packet]);
+    a.path = pt_load_ints(w.queues + w.settings->packet_paths + packet * BRDF_LANES);
+    a.used = a.path < w.settings->pool;
+    a.m = pt_meet(w, a.path, a.used);
+    if (a.surface->emits) {
+        pt_shade_emission(w, a.surface, a.path, a.m);
+    }
+    return a;
+}
+
+/* What scatters light there: the material's own values, and the frame that it stands in. */
+struct pt_scatterer {
+    brdf_parameters p;
+    BRDF_GLOBAL const float *table;
+    struct pt_tilt tilt;
+    struct pt_interaction at; /* in the tilted frame */
+    brdf_vec3 wo;             /* in that frame, too */
+};
+
+static inline struct pt_scatterer pt_scatterer_at(struct pt_world w, struct pt_variant variant,
+                                                  struct pt_arrival a)
+{
+    struct pt_scatterer b;
+    brdf_vec3 back = brdf_negate(a.m.ray.d);
+    b.tilt = variant.tilt ? pt_tilt_at(w, variant.tilt, a.surface, a.m) : pt_tilt_none(a.m.at);
+    b.at = a.m.at;
+    b.at.frame = b.tilt.frame;
+    b.wo = brdf_to_local(b.at.frame, back);
+    b.p = brdf_parameters_load(variant.model, variant.choices, a.surface->material.word);
+    if (variant.textured) {
+        b.p = pt_textured_parameters(w, variant.model, variant.textured, variant.colors,
+                                     a.surface->bindings, pt_seen_side(variant.flags, b.at, back),
+                                     b.p);
+    }
+    b.table = w.tables + a.surface->material.table;
+    return b;
+}
+
+/* Next-event estimation: a shadow ray to a point of some light, with what would come along it. */
+static inline void pt_shade_light(struct pt_world w, struct pt_variant variant, struct pt_arrival a,
+                                  struct pt_scatterer b, struct pt_light_sample light)
+{
+    brdf_vec3 wi = brdf_to_local(b.at.frame, light.wi);
+    brdf_rgb f = brdf_surface_eval(variant.model, variant.flags, b.p, b.wo, wi, b.table);
+    if (variant.tilt) {
+        f = brdf_rgb_scale(f, pt_tilt_factor(b.tilt, light.wi, wi));
+    }
+    brdf_real pdf = brdf_surface_pdf(variant.model, variant.flags, b.p, b.wo, wi, b.table);
+    brdf_mask possible = a.used & (light.pdf > 0.0f);
+    brdf_real scale = fabsf(wi.z) * pt_mis(light.pdf, pdf) / brdf_pick(possible, light.pdf, 1.0f);
+    brdf_rgb radiance =
+        brdf_rgb_scale(brdf_rgb_mul(brdf_rgb_mul(a.m.throughput, f), light.radiance), scale);
+    pt_ask_shadow(w, a.path, possible & (brdf_rgb_largest(radiance) > 0.0f),
+                  pt_shadow_ray_make(b.at, light), radiance);
+}
+
 static inline void pt_shade(struct pt_world w, struct pt_pass pass, struct pt_variant variant,
                             int packet, int depth)
 {
-    BRDF_GLOBAL const struct pt_settings *settings = w.settings;
-    BRDF_GLOBAL const struct pt_surface *surface =
-        pt_surface_at(w, w.queues[settings->packet_surface + packet]);
-    brdf_int path = pt_load_ints(w.queues + settings->packet_paths + packet * BRDF_LANES);
-    brdf_mask used = path < settings->pool;
-    struct pt_meeting m = pt_meet(w, path, used);
-    if (surface->emits) {
-        pt_shade_emission(w, surface, path, m);
-    }
-    if (depth + 1 >= settings->max_depth) {
+    struct pt_arrival a = pt_arrive(w, packet);
+    if (depth + 1 >= w.settings->max_depth) {
         return;
     }
-
-    struct pt_tilt tilt =
-        variant.tilt ? pt_tilt_at(w, variant.tilt, surface, m) : pt_tilt_none(m.at);
-    m.at.frame = tilt.frame;
-    brdf_parameters p =
-        brdf_parameters_load(variant.model, variant.choices, surface->material.word);
-    if (variant.textured) {
-        p = pt_textured_parameters(w, variant.model, variant.textured, variant.colors,
-                                   surface->bindings,
-                                   pt_seen_side(variant.flags, m.at, brdf_negate(m.ray.d)), p);
-    }
-    BRDF_GLOBAL const float *table = w.tables + surface->material.table;
-    brdf_vec3 wo = brdf_to_local(m.at.frame, brdf_negate(m.ray.d));
+    struct pt_scatterer b = pt_scatterer_at(w, variant, a);
     int set = pt_bounce_set(depth);
-    struct pt_random choose = pt_path_random(w, pass, path, set);
-    struct pt_random place = pt_path_random(w, pass, path, set + 1);
+    struct pt_random choose = pt_path_random(w, pass, a.path, set);
+    struct pt_random place = pt_path_random(w, pass, a.path, set + 1);
 
-    int lights = PT_HAS(settings, PT_HAS_LIGHTS | PT_HAS_CONSTANT | PT_HAS_MAP) != 0;
+    int lights = PT_HAS(w.settings, PT_HAS_LIGHTS | PT_HAS_CONSTANT | PT_HAS_MAP) != 0;
     if (lights & !(variant.flags & BRDF_DELTA)) {
-        struct pt_light_sample light = pt_sample_light(w, m.at.p, choose.a, place.a, place.b);
-        brdf_vec3 wi = brdf_to_local(m.at.frame, light.wi);
-        brdf_rgb f = brdf_surface_eval(variant.model, variant.flags, p, wo, wi, table);
-        if (variant.tilt) {
-            f = brdf_rgb_scale(f, pt_tilt_factor(tilt, light.wi, wi));
-        }
-        brdf_real pdf = brdf_surface_pdf(variant.model, variant.flags, p, wo, wi, table);
-        brdf_mask possible = used & (light.pdf > 0.0f);
-        brdf_real scale =
-            fabsf(wi.z) * pt_mis(light.pdf, pdf) / brdf_pick(possible, light.pdf, 1.0f);
-        brdf_rgb radiance =
-            brdf_rgb_scale(brdf_rgb_mul(brdf_rgb_mul(m.throughput, f), light.radiance), scale);
-        pt_ask_shadow(w, path, possible & (brdf_rgb_largest(radiance) > 0.0f),
-                      pt_shadow_ray_make(m.at, light), radiance);
+        pt_shade_light(w, variant, a, b, pt_sample_light(w, b.at.p, choose.a, place.a, place.b));
     }
 
-    struct brdf_sample s = brdf_surface_sample(variant.model, variant.flags, p, wo,
-                                               brdf_vec3_make(place.c, place.d, choose.b), table);
-    brdf_vec3 next = brdf_normalize(brdf_to_world(m.at.frame, s.wi));
+    struct brdf_sample s = brdf_surface_sample(variant.model, variant.flags, b.p, b.wo,
+                                               brdf_vec3_make(place.c, place.d, choose.b), b.table);
+    brdf_vec3 next = brdf_normalize(brdf_to_world(b.at.frame, s.wi));
     if (variant.tilt) {
-        s.weight = brdf_rgb_scale(s.weight, pt_tilt_factor(tilt, next, s.wi));
+        s.weight = brdf_rgb_scale(s.weight, pt_tilt_factor(b.tilt, next, s.wi));
     }
-    brdf_rgb throughput = brdf_rgb_mul(m.throughput, s.weight);
-    brdf_real eta = m.eta * s.eta;
-    if (depth + 1 >= settings->rr_depth) {
+    brdf_rgb throughput = brdf_rgb_mul(a.m.throughput, s.weight);
+    brdf_real eta = a.m.eta * s.eta;
+    if (depth + 1 >= w.settings->rr_depth) {
         throughput = brdf_rgb_scale(throughput, pt_roulette(throughput, eta, choose.c));
     }
     brdf_real pdf = brdf_pick(s.delta, -1.0f, s.pdf);
-    brdf_mask alive = used & (s.pdf > 0.0f) & (brdf_rgb_largest(throughput) > 0.0f);
-    brdf_int record = path * PT_PATH_WORDS;
-    pt_store_quad(w.paths + PT_PATH_ORIGIN, record, pt_quad_of_vec3(pt_leave(m.at, next), pdf));
+    brdf_mask alive = a.used & (s.pdf > 0.0f) & (brdf_rgb_largest(throughput) > 0.0f);
+    brdf_int record = a.path * PT_PATH_WORDS;
+    pt_store_quad(w.paths + PT_PATH_ORIGIN, record, pt_quad_of_vec3(pt_leave(b.at, next), pdf));
     pt_store_quad(w.paths + PT_PATH_DIRECTION, record, pt_quad_of_vec3(next, eta));
     pt_store_quad(w.paths + PT_PATH_THROUGHPUT, record, pt_quad_of_rgb(throughput, 0.0f));
-    pt_continue(w, path, alive, depth);
+    pt_continue(w, a.path, alive, depth);
 }
 
 #endif
