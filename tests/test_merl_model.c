@@ -30,6 +30,30 @@ static void published_place(brdf_vec3 o, brdf_vec3 i, double place[3])
     place[2] = (phi_d < 0.0 ? phi_d + TEST_PI : phi_d) / TEST_PI * 180.0;
 }
 
+/* Of half and difference angles, the published lookup finds the same again. */
+static void angles_lead_to_their_directions(void **state)
+{
+    (void)state;
+    uint64_t random = 3;
+    for (int i = 0; i < 2000; ++i) {
+        double theta_h = 1.2 * (double)uniform(&random) + 0.01,
+               phi_h = 6.0 * (double)uniform(&random);
+        double theta_d = 1.2 * (double)uniform(&random) + 0.01;
+        double phi_d = TEST_PI * (0.01 + 0.98 * (double)uniform(&random));
+        double o[3], w[3], place[3];
+        int above = brdf_merl_directions_at(theta_h, phi_h, theta_d, phi_d, o, w);
+        assert_int_equal(above, o[2] > 0.0 && w[2] > 0.0);
+        assert_true(fabs(o[0] * w[0] + o[1] * w[1] + o[2] * w[2] - cos(2.0 * theta_d)) < 1e-12);
+        published_place(brdf_vec3_make((float)o[0], (float)o[1], (float)o[2]),
+                        brdf_vec3_make((float)w[0], (float)w[1], (float)w[2]), place);
+        assert_true(fabs(place[0] * place[0] / 8100.0 - theta_h / (0.5 * TEST_PI)) < 1e-5);
+        assert_true(fabs(place[1] / 90.0 - theta_d / (0.5 * TEST_PI)) < 1e-5);
+        assert_true(fabs(place[2] / 180.0 - phi_d / TEST_PI) < 1e-4);
+        double turn = atan2(o[1] + w[1], o[0] + w[0]) - phi_h;
+        assert_true(fabs(sin(0.5 * turn)) < 1e-9);
+    }
+}
+
 /* Two directions close to each other and to the normal now and then: small angles are hardest. */
 static void random_pair(uint64_t *state, int number, brdf_vec3 *wo, brdf_vec3 *wi)
 {
@@ -176,6 +200,7 @@ static void degenerate_pairs_are_finite(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(angles_lead_to_their_directions),
         cmocka_unit_test(nearest_is_the_published_lookup),
         cmocka_unit_test(centres_have_the_values_of_the_file),
         cmocka_unit_test(interpolation_beats_the_nearest_bin),

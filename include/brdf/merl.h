@@ -73,6 +73,14 @@ BRDF_API brdf_status brdf_merl_create(struct brdf_merl_file *file, struct brdf_e
 BRDF_API brdf_status brdf_merl_fill(struct brdf_merl_file *file, struct brdf_error *error);
 
 /*
+ * The directions [1] at the half and difference angles [rad] of Rusinkiewicz 1998, section 3: half
+ * way between wo and wi is h at (theta_h, phi_h), and around it wi lies at (theta_d, phi_d).
+ * Returns 1 if both are above the surface, else 0.
+ */
+BRDF_API int brdf_merl_directions_at(double theta_h, double phi_h, double theta_d, double phi_d,
+                                     double wo[3], double wi[3]);
+
+/*
  * The directions [1] at the centre of a bin, wo and wi unit, h in the half plane of +x. Returns 1
  * if both are above the surface, else 0.
  */

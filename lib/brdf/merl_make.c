@@ -6,22 +6,29 @@
 #include <math.h>
 #include <string.h>
 
-/* Rusinkiewicz 1998: h at (theta_h, 0), and the difference around it at (theta_d, phi_d). */
+int brdf_merl_directions_at(double theta_h, double phi_h, double theta_d, double phi_d,
+                            double wo[3], double wi[3])
+{
+    double x = sin(theta_d) * cos(phi_d);
+    double y = sin(theta_d) * sin(phi_d);
+    double z = cos(theta_d);
+    for (int side = -1; side <= 1; side += 2) {
+        double *w = side > 0 ? wi : wo;
+        double tilted = z * sin(theta_h) + side * x * cos(theta_h);
+        w[0] = tilted * cos(phi_h) - side * y * sin(phi_h);
+        w[1] = tilted * sin(phi_h) + side * y * cos(phi_h);
+        w[2] = z * cos(theta_h) - side * x * sin(theta_h);
+    }
+    return wo[2] > 0.0 && wi[2] > 0.0;
+}
+
 int brdf_merl_directions(int theta_h, int theta_d, int phi_d, double wo[3], double wi[3])
 {
     const double half_pi = 1.57079632679489661923;
     double root = (theta_h + 0.5) / BRDF_MERL_FILE_THETA_H;
-    double h = half_pi * root * root;
-    double d = half_pi * (theta_d + 0.5) / BRDF_MERL_FILE_THETA_D;
-    double p = 2.0 * half_pi * (phi_d + 0.5) / BRDF_MERL_FILE_PHI_D;
-    double across = sin(d) * cos(p);
-    double difference[3] = {across * cos(h), sin(d) * sin(p), -across * sin(h)};
-    double middle[3] = {cos(d) * sin(h), 0.0, cos(d) * cos(h)};
-    for (int i = 0; i < 3; ++i) {
-        wi[i] = middle[i] + difference[i];
-        wo[i] = middle[i] - difference[i];
-    }
-    return wo[2] > 0.0 && wi[2] > 0.0;
+    return brdf_merl_directions_at(half_pi * root * root, 0.0,
+                                   half_pi * (theta_d + 0.5) / BRDF_MERL_FILE_THETA_D,
+                                   2.0 * half_pi * (phi_d + 0.5) / BRDF_MERL_FILE_PHI_D, wo, wi);
 }
 
 brdf_status brdf_merl_create(struct brdf_merl_file *file, struct brdf_error *error)

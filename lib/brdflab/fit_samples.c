@@ -8,6 +8,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include <brdf/merl.h>
+
 #include "fit_samples.h"
 
 enum { THETA_H = 48, PHI_H = 8, THETA_D = 16, PHI_D = 12, ARRAYS = 15 };
@@ -20,23 +22,6 @@ struct pair {
     double wi[3];
 };
 
-/* The pair with half vector (theta_h, phi_h), whose wi is theta_d from it at azimuth phi_d. */
-static struct pair pair_make(double theta_h, double phi_h, double theta_d, double phi_d)
-{
-    struct pair pair;
-    double x = sin(theta_d) * cos(phi_d);
-    double y = sin(theta_d) * sin(phi_d);
-    double z = cos(theta_d);
-    for (int side = -1; side <= 1; side += 2) {
-        double *w = side > 0 ? pair.wi : pair.wo;
-        double tilted = side * x * cos(theta_h) + z * sin(theta_h);
-        w[0] = tilted * cos(phi_h) - side * y * sin(phi_h);
-        w[1] = tilted * sin(phi_h) + side * y * cos(phi_h);
-        w[2] = z * cos(theta_h) - side * x * sin(theta_h);
-    }
-    return pair;
-}
-
 /* The grid's pair with this number; 0 if one of its directions is left out. */
 static int pair_of_number(size_t number, int anisotropic, struct pair *pair)
 {
@@ -48,8 +33,9 @@ static int pair_of_number(size_t number, int anisotropic, struct pair *pair)
     /* An isotropic material is the same at every phi_h, and at phi_d and pi + phi_d: half of the
        turn is enough. The grid of phi_h begins off the axes, where anisotropy cannot be seen. */
     double turn = anisotropic ? ((double)phi_h + 0.5) * pi / PHI_H : 0.0;
-    *pair = pair_make(0.5 * pi * q * q, turn, ((double)theta_d + 0.5) * (80.0 * degree / THETA_D),
-                      ((double)phi_d + 0.5) * (pi / PHI_D));
+    brdf_merl_directions_at(0.5 * pi * q * q, turn,
+                            ((double)theta_d + 0.5) * (80.0 * degree / THETA_D),
+                            ((double)phi_d + 0.5) * (pi / PHI_D), pair->wo, pair->wi);
     return fmin(pair->wo[2], pair->wi[2]) >= cos(80.0 * degree);
 }
 

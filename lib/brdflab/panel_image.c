@@ -2,29 +2,22 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include <brdf/merl.h>
 #include <brdf/model.h>
 
 #include "plot_panels.h"
 
 static const double pi = 3.14159265358979323846;
 
-/*
- * The directions of a half and a difference angle where phi_d = 90 degrees: half way between them
- * is h, tilted by theta_h from the normal in the plane of the azimuth; they lie theta_d to either
- * side of it, across that plane, and so are above the surface at every pair of angles
- * [Rusinkiewicz 1998].
- */
-static void directions(double theta_h, double theta_d, double azimuth, brdf_vec3 *wo, brdf_vec3 *wi)
+/* f where phi_d = -90 degrees: wo and wi lie theta_d to either side of h, across the plane that h
+   is tilted in, and so are above the surface at every pair of angles. */
+static brdf_rgb value_at(const struct brdf_bsdf *bsdf, double theta_h, double theta_d,
+                         double azimuth)
 {
-    double along = cos(theta_d) * sin(theta_h);
-    double across = sin(theta_d);
-    double z = cos(theta_d) * cos(theta_h);
-    double c = cos(azimuth);
-    double s = sin(azimuth);
-    *wo =
-        brdf_vec3_make((float)(along * c - across * s), (float)(along * s + across * c), (float)z);
-    *wi =
-        brdf_vec3_make((float)(along * c + across * s), (float)(along * s - across * c), (float)z);
+    double wo[3], wi[3];
+    brdf_merl_directions_at(theta_h, azimuth, theta_d, -0.5 * pi, wo, wi);
+    return brdf_eval(bsdf, brdf_vec3_make((float)wo[0], (float)wo[1], (float)wo[2]),
+                     brdf_vec3_make((float)wi[0], (float)wi[1], (float)wi[2]));
 }
 
 /* pi f, darkened by its luminance: white that scatters evenly becomes one half. */
@@ -64,9 +57,9 @@ brdf_status plot_panel_image(struct plot_canvas *canvas, struct plot_box cell,
     for (int y = 0; y < height; ++y) {
         double theta_d = 0.5 * pi * (1.0 - (y + 0.5) / height);
         for (int x = 0; x < width; ++x) {
-            brdf_vec3 wo, wi;
-            directions(0.5 * pi * (x + 0.5) / width, theta_d, job->settings->azimuth, &wo, &wi);
-            tone_map(brdf_eval(bsdf, wo, wi), rgb + 3 * ((size_t)y * (size_t)width + (size_t)x));
+            double theta_h = 0.5 * pi * (x + 0.5) / width;
+            tone_map(value_at(bsdf, theta_h, theta_d, job->settings->azimuth),
+                     rgb + 3 * ((size_t)y * (size_t)width + (size_t)x));
         }
     }
     brdf_status status = plot_pixels(canvas, box, rgb, width, height, error);
