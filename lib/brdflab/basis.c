@@ -12,6 +12,7 @@
 
 #include <lapacke.h>
 
+#include "bins.h"
 #include "complete.h"
 #include "logrelative.h"
 #include "open.h"
@@ -27,15 +28,14 @@ static size_t vector_make(const struct brdf_merl_file *file, float *vector)
     for (int h = 0; h < file->theta_h; ++h) {
         for (int d = THETA_D_FIRST; d < file->theta_d; d += THETA_D_STEP) {
             for (int p = PHI_D_FIRST; p < file->phi_d; p += PHI_D_STEP) {
-                double wo[3], wi[3];
-                if (!brdf_merl_directions(h, d, p, wo, wi)) {
+                struct lab_bin bin = {h, d, p};
+                double cosine;
+                if (!lab_bin_cosine(bin, &cosine)) {
                     continue;
                 }
-                size_t bin = ((size_t)h * (size_t)file->theta_d + (size_t)d) * (size_t)file->phi_d +
-                             (size_t)p;
-                double cosine = lab_logrelative_cosine(wo[2], wi[2]);
+                const float *rgb = file->rgb + 3 * lab_bin_number(file, bin);
                 for (size_t c = 0; c < 3 && vector; ++c) {
-                    double f = fmax((double)file->rgb[3 * bin + c], 0.0);
+                    double f = fmax((double)rgb[c], 0.0);
                     vector[count + c] = (float)lab_logrelative_map(f, cosine, 0.0);
                 }
                 count += 3;

@@ -4,12 +4,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bins.h"
+
 static int bin_is_above(const struct brdf_merl_file *file, size_t bin)
 {
-    size_t phi_d = (size_t)file->phi_d, theta_d = (size_t)file->theta_d;
     double wo[3], wi[3];
-    return brdf_merl_directions((int)(bin / phi_d / theta_d), (int)(bin / phi_d % theta_d),
-                                (int)(bin % phi_d), wo, wi);
+    return lab_bin_directions(lab_bin_of(file, bin), wo, wi);
 }
 
 brdf_status lab_complete_merl(struct brdf_merl_file *file, int fill, struct brdf_error *error)

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "bins.h"
 #include "oklab.h"
 #include "separate.h"
 
@@ -46,8 +47,8 @@ static double specular_at(const struct editor *editor, double place, int theta_d
     int low = at < file->theta_h - 2.0 ? (int)at : file->theta_h - 2;
     double value[2];
     for (int i = 0; i < 2; ++i) {
-        size_t bin = (size_t)(((low + i) * file->theta_d + theta_d) * file->phi_d + phi_d);
-        double f = (double)file->rgb[3 * bin + (size_t)c];
+        struct lab_bin bin = {low + i, theta_d, phi_d};
+        double f = (double)file->rgb[3 * lab_bin_number(file, bin) + (size_t)c];
         value[i] = f - diffuse_of(editor, f, theta_d, c);
     }
     return value[0] + (at - low) * (value[1] - value[0]);
@@ -85,13 +86,12 @@ static double visibility(double theta_h, double theta_d, double phi_d)
     return masking / (least * cosines.most);
 }
 
-static struct remap remap_of(int theta_h, int bins, double gloss)
+static struct remap remap_of(const struct brdf_merl_file *file, int theta_h, double gloss)
 {
-    double root = (theta_h + 0.5) / bins;
-    double theta = 0.5 * pi * root * root;
+    double theta = lab_bin_theta_h(file, theta_h);
     double from = atan(gloss * tan(theta));
     double projection = cos(from) / cos(theta);
-    struct remap remap = {theta, from, bins * sqrt(from / (0.5 * pi)),
+    struct remap remap = {theta, from, file->theta_h * sqrt(from / (0.5 * pi)),
                           gloss * gloss * projection * projection * projection * projection};
     return remap;
 }
@@ -106,9 +106,8 @@ static void specular_move(const struct editor *editor, const struct remap *remap
 {
     double d = 0.5 * pi * (theta_d + 0.5) / editor->filled.theta_d;
     double step = pi / editor->filled.phi_d;
-    double root = fmin(floor(remap->place - 0.5) + 1.5, editor->filled.theta_h - 0.5) /
-                  editor->filled.theta_h;
-    double upper = 0.5 * pi * root * root; /* the centre of the bin beyond */
+    int beyond = (int)fmin(floor(remap->place - 0.5) + 1.0, editor->filled.theta_h - 1.0);
+    double upper = lab_bin_theta_h(&editor->filled, beyond);
     int from =
         cosines_at(upper, d, step * (phi_d + 0.5)).least > 0.0 ? phi_d : editor->filled.phi_d / 2;
     double factor = remap->factor * visibility(remap->theta, d, step * (phi_d + 0.5)) /
@@ -122,17 +121,16 @@ static void bin_edit(const struct editor *editor, size_t bin, const struct remap
                      float rgb[3])
 {
     const struct lab_edit *edit = editor->edit;
-    int phi_d = (int)(bin % (size_t)editor->filled.phi_d);
-    int theta_d = (int)(bin / (size_t)editor->filled.phi_d % (size_t)editor->filled.theta_d);
+    struct lab_bin at = lab_bin_of(&editor->filled, bin);
     double diffuse[3], specular[3], all[3];
     for (int c = 0; c < 3; ++c) {
-        specular[c] = (double)rgb[c] - diffuse_of(editor, (double)rgb[c], theta_d, c);
+        specular[c] = (double)rgb[c] - diffuse_of(editor, (double)rgb[c], at.theta_d, c);
     }
     if (edit->gloss != 1.0) {
-        specular_move(editor, remap, theta_d, phi_d, specular);
+        specular_move(editor, remap, at.theta_d, at.phi_d, specular);
     }
     for (int c = 0; c < 3; ++c) {
-        diffuse[c] = edit->diffuse * diffuse_of(editor, (double)rgb[c], theta_d, c);
+        diffuse[c] = edit->diffuse * diffuse_of(editor, (double)rgb[c], at.theta_d, c);
         specular[c] *= edit->specular;
         all[c] = diffuse[c] + specular[c];
     }
@@ -163,7 +161,7 @@ static void bins_edit(const struct editor *editor, struct brdf_merl_file *edited
     size_t row = (size_t)edited->theta_d * (size_t)edited->phi_d;
     int parts = needs_parts(edit);
     for (int h = 0; h < edited->theta_h; ++h) {
-        struct remap remap = remap_of(h, edited->theta_h, edit->gloss);
+        struct remap remap = remap_of(edited, h, edit->gloss);
         for (size_t bin = (size_t)h * row; bin < ((size_t)h + 1) * row; ++bin) {
             float *rgb = edited->rgb + 3 * bin;
             if (rgb[0] >= 0.0f && parts) {

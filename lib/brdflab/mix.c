@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bins.h"
 #include "logrelative.h"
 
 /* The tables that take part, and their shares. */
@@ -85,21 +86,15 @@ static int bin_is_valid(const struct parts *parts, size_t bin)
     return valid;
 }
 
-static double bin_cosine(const struct brdf_merl_file *file, size_t bin)
-{
-    size_t phi_d = (size_t)file->phi_d, theta_d = (size_t)file->theta_d;
-    double wo[3], wi[3];
-    brdf_merl_directions((int)(bin / phi_d / theta_d), (int)(bin / phi_d % theta_d),
-                         (int)(bin % phi_d), wo, wi);
-    return lab_logrelative_cosine(wo[2], wi[2]);
-}
-
 static void bins_mix(const struct parts *parts, enum lab_mix_space space,
                      struct brdf_merl_file *mixture)
 {
     for (size_t bin = 0; bin < mixture->bins; ++bin) {
         if (bin_is_valid(parts, bin)) {
-            double cosine = space == LAB_MIX_LINEAR ? 1.0 : bin_cosine(mixture, bin);
+            double cosine = 1.0;
+            if (space != LAB_MIX_LINEAR) {
+                lab_bin_cosine(lab_bin_of(mixture, bin), &cosine);
+            }
             for (size_t c = 0; c < 3; ++c) {
                 mixture->rgb[3 * bin + c] = value_mix(parts, 3 * bin + c, cosine, space);
             }

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bins.h"
 #include "complete.h"
 #include "logrelative.h"
 #include "open.h"
@@ -27,15 +28,10 @@ static brdf_status sum_begin(struct sum *sum, const struct brdf_merl_file *file,
     if (!sum->mapped || !sum->cosine) {
         return brdf_fail(error, BRDF_OUT_OF_MEMORY, "out of memory");
     }
-    size_t bin = 0;
-    for (int h = 0; h < file->theta_h; ++h) {
-        for (int d = 0; d < file->theta_d; ++d) {
-            for (int p = 0; p < file->phi_d; ++p, ++bin) {
-                double wo[3], wi[3];
-                if (brdf_merl_directions(h, d, p, wo, wi)) {
-                    sum->cosine[bin] = (float)lab_logrelative_cosine(wo[2], wi[2]);
-                }
-            }
+    for (size_t bin = 0; bin < file->bins; ++bin) {
+        double cosine;
+        if (lab_bin_cosine(lab_bin_of(file, bin), &cosine)) {
+            sum->cosine[bin] = (float)cosine;
         }
     }
     return BRDF_OK;

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double pi = 3.14159265358979323846;
+#include "bins.h"
 
 static const double quantile = 0.3;
 
@@ -40,10 +40,9 @@ static double quantile_of(struct entry *entries, size_t count)
 }
 
 /* The solid angle of a bin's half vectors, up to a factor: sin(theta_h) d(theta_h). */
-static double solid_of(int theta_h, int bins)
+static double solid_of(const struct brdf_merl_file *file, int theta_h)
 {
-    double root = (theta_h + 0.5) / bins;
-    return sin(0.5 * pi * root * root) * root;
+    return sin(lab_bin_theta_h(file, theta_h)) * (theta_h + 0.5);
 }
 
 /* The levels of one theta_d: every other phi_d is enough. */
@@ -54,10 +53,11 @@ static void levels_find(const struct brdf_merl_file *file, int theta_d, struct e
         size_t count = 0;
         for (int h = 0; h < file->theta_h; ++h) {
             for (int p = 0; p < file->phi_d; p += 2) {
-                size_t bin = (size_t)((h * file->theta_d + theta_d) * file->phi_d + p);
-                double wo[3], wi[3], f = (double)file->rgb[3 * bin + (size_t)c];
-                if (f >= 0.0 && brdf_merl_directions(h, theta_d, p, wo, wi)) {
-                    struct entry entry = {f, solid_of(h, file->theta_h) * wo[2] * wi[2]};
+                struct lab_bin bin = {h, theta_d, p};
+                double f = (double)file->rgb[3 * lab_bin_number(file, bin) + (size_t)c];
+                double wo[3], wi[3];
+                if (f >= 0.0 && lab_bin_directions(bin, wo, wi)) {
+                    struct entry entry = {f, solid_of(file, h) * wo[2] * wi[2]};
                     entries[count++] = entry;
                 }
             }

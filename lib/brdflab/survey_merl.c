@@ -11,6 +11,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "bins.h"
+
 static const double pi = 3.14159265358979323846;
 
 static const double grazing = 60.0; /* degrees; where the noise is counted apart */
@@ -22,21 +24,18 @@ struct noise {
 
 static struct lab_place place_of(const struct brdf_merl_file *file, size_t bin)
 {
-    size_t phi_d = (size_t)file->phi_d, theta_d = (size_t)file->theta_d;
-    double root = ((double)(bin / phi_d / theta_d) + 0.5) / file->theta_h;
-    struct lab_place place = {90.0 * root * root,
-                              90.0 * ((double)(bin / phi_d % theta_d) + 0.5) / file->theta_d,
-                              180.0 * ((double)(bin % phi_d) + 0.5) / file->phi_d};
+    struct lab_bin at = lab_bin_of(file, bin);
+    struct lab_place place = {lab_bin_theta_h(file, at.theta_h) * 180.0 / pi,
+                              90.0 * (at.theta_d + 0.5) / file->theta_d,
+                              180.0 * (at.phi_d + 0.5) / file->phi_d};
     return place;
 }
 
 /* The angle of the lower of the two directions at a bin [degrees]; above 90 if it is below. */
 static double angle_of(const struct brdf_merl_file *file, size_t bin)
 {
-    size_t phi_d = (size_t)file->phi_d, theta_d = (size_t)file->theta_d;
     double wo[3], wi[3];
-    brdf_merl_directions((int)(bin / phi_d / theta_d), (int)(bin / phi_d % theta_d),
-                         (int)(bin % phi_d), wo, wi);
+    lab_bin_directions(lab_bin_of(file, bin), wo, wi);
     return acos(fmin(wo[2], wi[2])) * 180.0 / pi;
 }
 
