@@ -8,6 +8,7 @@
 #include <stdlib.h>
 
 #include "brdf/model/measured.h"
+#include "luminance.h"
 #include "rgl_normals.h"
 #include "rgl_table.h"
 
@@ -153,7 +154,6 @@ static void edges_fill(float *values, const int *valid, int size)
 /* Luminance of Rec. 709, which is what published files hold. */
 static brdf_status luminance_make(struct brdf_rgl_making *m)
 {
-    static const double parts[3] = {0.2126, 0.7152, 0.0722};
     struct brdf_rgl_file *file = m->file;
     size_t nodes = (size_t)file->size * (size_t)file->size;
     double(*weights)[3] = malloc((size_t)file->channels * sizeof *weights);
@@ -162,14 +162,14 @@ static brdf_status luminance_make(struct brdf_rgl_making *m)
     }
     brdf_rgl_weights_find(file, weights);
     for (size_t k = 0; k < brdf_rgl_elements(file, BRDF_RGL_LUMINANCE); ++k) {
-        double sum = 0.0;
+        double rgb[3] = {0.0, 0.0, 0.0};
         for (int i = 0; i < file->channels; ++i) {
             size_t place = (k / nodes * (size_t)file->channels + (size_t)i) * nodes + k % nodes;
             for (int c = 0; c < 3; ++c) {
-                sum += parts[c] * weights[i][c] * (double)file->values[place];
+                rgb[c] += weights[i][c] * (double)file->values[place];
             }
         }
-        file->luminance[k] = sum > 0.0 ? (float)sum : 0.0f;
+        file->luminance[k] = (float)fmax(brdf_luminance(rgb[0], rgb[1], rgb[2]), 0.0);
     }
     free(weights);
     return BRDF_OK;

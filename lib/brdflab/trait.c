@@ -4,6 +4,8 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "bins.h"
+#include "brdf/luminance.h"
 #include "trait.h"
 
 static const struct {
@@ -36,19 +38,16 @@ const char *lab_trait_meaning(int trait)
 static const float *value_at(const struct brdf_merl_file *file, int theta_h, int theta_d)
 {
     double wo[3], wi[3];
-    int phi_d = file->phi_d / 2;
-    while (theta_h > 0 && !brdf_merl_directions(theta_h, theta_d, phi_d, wo, wi)) {
-        --theta_h;
+    struct lab_bin bin = {theta_h, theta_d, file->phi_d / 2};
+    while (bin.theta_h > 0 && !lab_bin_directions(bin, wo, wi)) {
+        --bin.theta_h;
     }
-    return file->rgb +
-           3 * (((size_t)theta_h * (size_t)file->theta_d + (size_t)theta_d) * (size_t)file->phi_d +
-                (size_t)phi_d);
+    return file->rgb + 3 * lab_bin_number(file, bin);
 }
 
 static double luminance(const float *rgb)
 {
-    double y = 0.2126 * (double)rgb[0] + 0.7152 * (double)rgb[1] + 0.0722 * (double)rgb[2];
-    return fmax(y, DARKEST);
+    return fmax(brdf_luminance((double)rgb[0], (double)rgb[1], (double)rgb[2]), DARKEST);
 }
 
 static double saturation(const float *rgb)
@@ -56,12 +55,6 @@ static double saturation(const float *rgb)
     double most = fmax(fmax((double)rgb[0], (double)rgb[1]), fmax((double)rgb[2], DARKEST));
     double least = fmin(fmin((double)rgb[0], (double)rgb[1]), (double)rgb[2]);
     return 1.0 - fmax(least, 0.0) / most;
-}
-
-static double bin_angle(int theta_h)
-{
-    double q = (theta_h + 0.5) / 90.0;
-    return 0.5 * 3.14159265358979323846 * q * q;
 }
 
 /* theta_h at which the highlight has fallen to half between its peak and the base; the widest
@@ -74,7 +67,7 @@ static double half_width(const struct brdf_merl_file *file, int theta_d, double 
     while (theta_h < WIDEST && luminance(value_at(file, theta_h, theta_d)) > half) {
         ++theta_h;
     }
-    return bin_angle(theta_h);
+    return lab_bin_theta_h(file, theta_h);
 }
 
 /* The mean of f cos(theta_o) cos(theta_i) over the bins of a coarser grid, by channel. */
@@ -86,13 +79,11 @@ static void mean_value(const struct brdf_merl_file *file, double mean[3])
         for (int d = 1; d < file->theta_d; d += 3) {
             for (int p = 5; p < file->phi_d; p += 10) {
                 double wo[3], wi[3];
-                if (!brdf_merl_directions(h, d, p, wo, wi)) {
+                struct lab_bin bin = {h, d, p};
+                if (!lab_bin_directions(bin, wo, wi)) {
                     continue;
                 }
-                const float *rgb =
-                    file->rgb +
-                    3 * (((size_t)h * (size_t)file->theta_d + (size_t)d) * (size_t)file->phi_d +
-                         (size_t)p);
+                const float *rgb = file->rgb + 3 * lab_bin_number(file, bin);
                 for (int c = 0; c < 3; ++c) {
                     mean[c] += fmax((double)rgb[c], 0.0) * wo[2] * wi[2];
                 }
