@@ -11,6 +11,7 @@
 #include "brdflab/open.h"
 #include "commands.h"
 #include "json.h"
+#include "measured.h"
 #include "options.h"
 #include "parse.h"
 #include "say.h"
@@ -32,6 +33,7 @@ struct albedo_run {
     int angles;           /* how many, if theta is empty */
     double phi;           /* degrees */
     int inside;
+    int fill;
     int samples; /* of each row */
     int csv;
     const char *json_path;
@@ -54,6 +56,7 @@ static int read_command_line(struct albedo_run *run, int argc, char **argv)
         {"csv", 0, OPTION_ON, &run->csv, NULL, 0, 0, "print CSV instead of a table"},
         {"json", 0, OPTION_TEXT, &run->json_path, "FILE", 0, 0,
          "write everything as JSON; - is standard output, which then has no table"},
+        MEASURED_NO_FILL(&run->fill),
     };
     const struct usage usage = {
         "albedo", "MATERIAL", summary, options, sizeof options / sizeof options[0], 1, 1};
@@ -171,7 +174,8 @@ static brdf_status check_side(const struct albedo_run *run, const struct brdf_bs
 
 int command_albedo(int argc, char **argv)
 {
-    static const struct albedo_run initial = {.angles = 10, .samples = 4 * LAB_ALBEDO_SAMPLES};
+    static const struct albedo_run initial = {
+        .angles = 10, .fill = 1, .samples = 4 * LAB_ALBEDO_SAMPLES};
     struct albedo_run run = initial;
     int exit_status = read_command_line(&run, argc, argv);
     if (exit_status != OPTIONS_GO_ON) {
@@ -180,7 +184,7 @@ int command_albedo(int argc, char **argv)
     struct brdf_bsdf *bsdf = NULL;
     struct brdf_error error = {BRDF_OK, ""};
     brdf_status status = run.json_path ? text_file_check(run.json_path, &error) : BRDF_OK;
-    status = status ? status : lab_open(run.description, &bsdf, NULL, &error);
+    status = status ? status : lab_open_filled(run.description, run.fill, &bsdf, NULL, &error);
     status = status ? status : check_side(&run, bsdf, &error);
     if (!status) {
         run.transmits = (brdf_bsdf_material(bsdf)->flags & BRDF_TRANSMISSION) != 0;

@@ -7,10 +7,9 @@
 #include "commands.h"
 #include "measured.h"
 #include "options.h"
-#include "say.h"
 
 static const char summary[] =
-    "Change a material and write it as a new MERL file. The diffuse part is what f falls to far "
+    "Change a material and write it as a measured file. The diffuse part is what f falls to far "
     "from\n"
     "the highlight, by the angle of difference and the colour; the highlight is the rest. Its "
     "width\n"
@@ -22,7 +21,8 @@ static const double radians = 3.14159265358979323846 / 180.0;
 
 struct edit_run {
     const char *in;
-    const char *out;
+    struct measured_out out;
+    int fill;
     struct lab_edit edit;
     int part;               /* enum lab_edit_part */
     enum lab_format format; /* of what is edited */
@@ -44,40 +44,45 @@ static int read_command_line(struct edit_run *run, int argc, char **argv)
          "whose hue and saturation change; all if not given"},
         {"metal", 0, OPTION_ON, &edit->metal, NULL, 0, 0,
          "there is no diffuse part: all of it is highlight"},
+        MEASURED_OUT_OPTIONS(run->out),
+        MEASURED_NO_FILL(&run->fill),
     };
     const struct usage usage = {
-        "edit", "MATERIAL OUT.binary", summary, options, sizeof options / sizeof options[0], 2, 2};
-    enum lab_format format;
+        "edit", "MATERIAL OUT", summary, options, sizeof options / sizeof options[0], 2, 2};
     struct texts arguments;
     int status = options_read(&usage, argc, argv, &arguments);
     if (status != OPTIONS_GO_ON) {
         return status;
     }
     run->in = arguments.item[0];
-    run->out = arguments.item[1];
     edit->hue *= radians;
     edit->part = (enum lab_edit_part)run->part;
-    status = measured_format(run->out, LAB_FORMAT_NONE, &format);
-    if (status == OPTIONS_GO_ON && format != LAB_FORMAT_MERL) {
-        return say_usage("edit writes MERL files: name \"%s\" .binary, and convert it afterwards",
-                         run->out);
-    }
-    return status;
+    return measured_out_set(&run->out, arguments.item[1], arguments.item, 1);
+}
+
+/* A file that would be written again as it is. */
+static int is_copy(const struct edit_run *run)
+{
+    return lab_edit_is_nothing(&run->edit) && (int)run->format == run->out.format && run->fill;
 }
 
 static brdf_status edit_and_write(struct edit_run *run, struct brdf_error *error)
 {
     struct brdf_merl_file file = {0}, edited = {0};
-    brdf_status status = measured_check(run->out, error);
-    if (!status) {
-        status = measured_open(run->in, &file, &run->format, error);
+    brdf_status status = measured_check(&run->out, error);
+    status = status ? status : lab_format_of(run->in, &run->format, error);
+    if (status) {
+        return status;
     }
-    if (!status && run->format == LAB_FORMAT_MERL && lab_edit_is_nothing(&run->edit)) {
-        status = measured_copy(run->in, run->out, error);
-    } else if (!status) {
-        status = lab_edit_merl(&file, &run->edit, &edited, error);
-        status = status ? status : measured_write(run->out, &edited, error);
+    if (is_copy(run)) {
+        struct brdf_bsdf *bsdf; /* what is copied is to be a measured file */
+        status = lab_open(run->in, &bsdf, NULL, error);
+        brdf_bsdf_destroy(bsdf);
+        return status ? status : measured_copy(&run->out, run->in, error);
     }
+    status = measured_open(run->in, run->fill, &file, &run->format, error);
+    status = status ? status : lab_edit_merl(&file, &run->edit, &edited, error);
+    status = status ? status : measured_write(&run->out, &edited, error);
     brdf_merl_free(&edited);
     brdf_merl_free(&file);
     return status;
@@ -89,12 +94,12 @@ static const char *outcome(const struct edit_run *run)
     if (!lab_edit_is_nothing(&run->edit)) {
         return "edited";
     }
-    return run->format == LAB_FORMAT_MERL ? "unchanged" : "baked, and not edited";
+    return is_copy(run) ? "unchanged" : "converted, and not edited";
 }
 
 int command_edit(int argc, char **argv)
 {
-    struct edit_run run = {.edit = lab_edit_nothing()};
+    struct edit_run run = {.edit = lab_edit_nothing(), .fill = 1};
     struct brdf_error error = {BRDF_OK, ""};
     int exit_status = read_command_line(&run, argc, argv);
     if (exit_status != OPTIONS_GO_ON) {
@@ -102,7 +107,7 @@ int command_edit(int argc, char **argv)
     }
     brdf_status status = edit_and_write(&run, &error);
     if (!status) {
-        printf("%s: %s, %s\n", run.out, run.in, outcome(&run));
+        printf("%s: %s, %s\n", run.out.path, run.in, outcome(&run));
     }
     return measured_exit(status, &error);
 }

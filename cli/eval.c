@@ -5,6 +5,7 @@
 #include "backend.h"
 #include "commands.h"
 #include "evaluation.h"
+#include "measured.h"
 #include "options.h"
 #include "parse.h"
 #include "say.h"
@@ -40,6 +41,7 @@ int command_eval(int argc, char **argv)
     struct angles wo_angles = {0.0, 0.0, 0}, wi_angles = {0.0, 0.0, 0};
     struct backend backend = {BACKEND_C, NULL, 0, 0};
     const char *directions = NULL;
+    int fill = 1;
     const struct option options[] = {
         {"wo", 0, OPTION_ANGLES, &wo_angles, "THETA,PHI", 0, 0, "to the viewer [degrees]"},
         {"wi", 0, OPTION_ANGLES, &wi_angles, "THETA,PHI", 0, 0, "to the light [degrees]"},
@@ -51,6 +53,7 @@ int command_eval(int argc, char **argv)
          "OpenCL device: its number or a part of its name"},
         {"lanes", 0, OPTION_INT, &backend.lanes, "N", 1, 16,
          "vector lanes of kernels: 1, 4, 8, 16"},
+        MEASURED_NO_FILL(&fill),
     };
     const struct usage usage = {
         "eval", "MATERIAL", summary, options, sizeof options / sizeof options[0], 1, 1};
@@ -70,7 +73,7 @@ int command_eval(int argc, char **argv)
     }
     struct brdf_error error = {BRDF_OK, ""};
     struct evaluation evaluation;
-    brdf_status failed = evaluation_open(&evaluation, &backend, arguments.item[0], &error);
+    brdf_status failed = evaluation_open(&evaluation, &backend, arguments.item[0], fill, &error);
     if (!failed && directions) {
         failed = evaluation_print_file(&evaluation, directions, &error);
     } else if (!failed) {

@@ -6,10 +6,10 @@
 #include "brdflab/open.h"
 
 brdf_status evaluation_open(struct evaluation *evaluation, const struct backend *backend,
-                            const char *description, struct brdf_error *error)
+                            const char *description, int fill, struct brdf_error *error)
 {
     memset(evaluation, 0, sizeof *evaluation);
-    brdf_status status = lab_open(description, &evaluation->bsdf, NULL, error);
+    brdf_status status = lab_open_filled(description, fill, &evaluation->bsdf, NULL, error);
     if (!status) {
         status = backend_open(backend, &evaluation->device, error);
     }

@@ -18,9 +18,10 @@ struct evaluation {
     struct brdfcl_evaluator *evaluator;
 };
 
-/* Make the material, and the device if the backend has one. To be closed also if it fails. */
+/* Make the material (lab_open_filled), and the device if the backend has one. To be closed also if
+ * it fails. */
 brdf_status evaluation_open(struct evaluation *evaluation, const struct backend *backend,
-                            const char *description, struct brdf_error *error);
+                            const char *description, int fill, struct brdf_error *error);
 void evaluation_close(struct evaluation *evaluation);
 
 /* f [1/sr] without the cosine, and the density [1/sr]. */

@@ -13,6 +13,7 @@
 
 #include "commands.h"
 #include "fit_picture.h"
+#include "measured.h"
 #include "options.h"
 #include "say.h"
 #include "stop.h"
@@ -64,8 +65,8 @@ static const char *name_of(const char *what, enum lab_format format)
     return slash ? slash + 1 : what;
 }
 
-static brdf_status run(const char *what, struct lab_fit_options *options, const char *picture,
-                       struct brdf_error *error)
+static brdf_status run(const char *what, int fill, struct lab_fit_options *options,
+                       const char *picture, struct brdf_error *error)
 {
     struct brdf_bsdf *target = NULL;
     struct lab_fit_result fit;
@@ -73,7 +74,7 @@ static brdf_status run(const char *what, struct lab_fit_options *options, const 
     enum lab_format format = LAB_FORMAT_NONE;
     brdf_status status = picture ? lab_plot_path_check(picture, error) : BRDF_OK;
     if (!status) {
-        status = lab_open(what, &target, &format, error);
+        status = lab_open_filled(what, fill, &target, &format, error);
     }
     if (status) {
         return status;
@@ -102,7 +103,7 @@ int command_fit(int argc, char **argv)
 {
     struct lab_fit_options fit = lab_fit_defaults(NULL);
     int metric = (int)fit.metric;
-    int seed = 0;
+    int seed = 0, fill = 1;
     const char *picture = NULL;
     int evaluations = (int)fit.evaluations_max;
     const struct option options[] = {
@@ -123,6 +124,7 @@ int command_fit(int argc, char **argv)
         {"output", 'o', OPTION_TEXT, &picture, "FILE", 0, 0,
          "plot what was fitted and the fit, as .png or .svg"},
         {"seed", 0, OPTION_INT, &seed, "N", 0, 1e9, "where the starts begin"},
+        MEASURED_NO_FILL(&fill),
     };
     const struct usage usage = {
         "fit", "MATERIAL", summary, options, sizeof options / sizeof options[0], 1, 1};
@@ -138,7 +140,7 @@ int command_fit(int argc, char **argv)
     fit.metric = (enum lab_fit_metric)metric;
     fit.seed = (unsigned)seed;
     fit.evaluations_max = (size_t)evaluations;
-    if (run(arguments.item[0], &fit, picture, &error)) {
+    if (run(arguments.item[0], fill, &fit, picture, &error)) {
         int signal = error.status == BRDF_CANCELLED ? stop_signal() : 0;
         return signal ? 128 + signal : say_error(&error);
     }

@@ -6,6 +6,7 @@
 #include "brdflab/survey.h"
 #include "commands.h"
 #include "json.h"
+#include "measured.h"
 #include "options.h"
 #include "say.h"
 #include "text_file.h"
@@ -19,6 +20,7 @@ static const char summary[] =
 struct info_run {
     const char *path;
     const char *json_path;
+    int fill;
     enum lab_format format;
     struct lab_survey survey;
     struct lab_merl_survey merl; /* if that is the format */
@@ -51,7 +53,7 @@ static brdf_status survey_merl(struct info_run *run, struct brdf_error *error)
 static brdf_status survey(struct info_run *run, struct brdf_error *error)
 {
     struct brdf_bsdf *bsdf = NULL;
-    brdf_status status = lab_open(run->path, &bsdf, &run->format, error);
+    brdf_status status = lab_open_filled(run->path, run->fill, &bsdf, &run->format, error);
     if (!status && run->format == LAB_FORMAT_MERL) {
         status = survey_merl(run, error);
     } else if (!status && run->format == LAB_FORMAT_RGL) {
@@ -68,7 +70,7 @@ static const char *doubt(const struct info_run *run, int number, char *text, siz
 {
     struct lab_findings findings = {&run->survey,
                                     run->format == LAB_FORMAT_MERL ? &run->merl : NULL,
-                                    run->format == LAB_FORMAT_RGL ? &run->rgl : NULL};
+                                    run->format == LAB_FORMAT_RGL ? &run->rgl : NULL, run->fill};
     return lab_survey_doubt(&findings, number, text, size);
 }
 
@@ -80,7 +82,14 @@ static void print_place(const char *name, double value, struct lab_place at)
 
 static void print_merl(const struct lab_merl_survey *m)
 {
-    printf("format      MERL: isotropic, 90 x 90 x 180 bins of theta_h, theta_d, phi_d, RGB\n");
+    printf("format      MERL: isotropic, 90 x 90 x %d bins of theta_h, theta_d, phi_d, RGB\n",
+           m->folded ? 360 : 180);
+    if (m->folded) {
+        printf("folded      to 180 bins of phi_d: opposite ones, which differ by %.2g of f on "
+               "average, "
+               "are one\n",
+               m->folding);
+    }
     printf("measured    %zu of %zu bins (%.1f %%); of the %zu above the surface all but %zu\n",
            m->valid, m->bins, 100.0 * (double)m->valid / (double)m->bins, m->above,
            m->above_invalid);
@@ -101,7 +110,7 @@ static void print_rgl(const struct lab_rgl_survey *r)
     printf("least f     %.5g 1/sr\nlargest f   %.5g 1/sr\n", r->least, r->most);
 }
 
-static void print_survey(const struct lab_survey *s)
+static void print_survey(const struct lab_survey *s, enum lab_format format)
 {
     printf("albedo      %7s  %7s %7s %7s\n", "theta", "red", "green", "blue");
     for (int k = 0; k < LAB_SURVEY_ANGLES; ++k) {
@@ -110,7 +119,8 @@ static void print_survey(const struct lab_survey *s)
     }
     printf("            %7s  %7.4f %7.4f %7.4f\n", "average", s->albedo_diffuse[0],
            s->albedo_diffuse[1], s->albedo_diffuse[2]);
-    printf("reciprocity f(wo, wi) and f(wi, wo) differ by %.2g of f on average\n", s->reciprocity);
+    printf("reciprocity f(wo, wi) and f(wi, wo) differ by %.2g of f on average%s\n", s->reciprocity,
+           format == LAB_FORMAT_MERL ? ": MERL stores them as one" : "");
     if (s->energy_from < 90.0) {
         printf("energy      albedo up to %.4f (%g degrees), above 1 from %g degrees on\n",
                s->energy, s->energy_angle, s->energy_from);
@@ -131,7 +141,7 @@ static void print(const struct info_run *run)
     } else {
         printf("format      a description, not a file\n");
     }
-    print_survey(&run->survey);
+    print_survey(&run->survey, run->format);
     for (int i = 0; doubt(run, i, text, sizeof text); ++i) {
         printf("doubt       %s\n", text);
     }
@@ -161,8 +171,10 @@ static void put_merl(struct json *json, const struct lab_merl_survey *m)
     json_array(json, "bins");
     json_int(json, NULL, 90);
     json_int(json, NULL, 90);
-    json_int(json, NULL, 180);
+    json_int(json, NULL, m->folded ? 360 : 180);
     json_array_end(json);
+    json_int(json, "folded", m->folded);
+    json_real(json, "folding", m->folding);
     json_int(json, "valid", (long long)m->valid);
     json_real(json, "valid_fraction", (double)m->valid / (double)m->bins);
     json_int(json, "above", (long long)m->above);
@@ -232,13 +244,15 @@ static brdf_status write_json(const struct info_run *run, struct brdf_error *err
 
 int command_info(int argc, char **argv)
 {
-    struct info_run run = {0};
+    struct info_run run = {.fill = 1};
     struct brdf_error error = {BRDF_OK, ""};
     const struct option options[] = {
         {"json", 0, OPTION_TEXT, &run.json_path, "FILE", 0, 0,
          "write it as JSON instead; - is standard output"},
+        MEASURED_NO_FILL(&run.fill),
     };
-    const struct usage usage = {"info", "FILE", summary, options, 1, 1, 1};
+    const struct usage usage = {
+        "info", "MATERIAL", summary, options, sizeof options / sizeof options[0], 1, 1};
     struct texts arguments;
     int exit_status = options_read(&usage, argc, argv, &arguments);
     if (exit_status != OPTIONS_GO_ON) {

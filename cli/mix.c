@@ -13,7 +13,7 @@
 #include "say.h"
 
 static const char summary[] =
-    "Mix materials into a new MERL file, OUT, which is the last argument. The others are measured "
+    "Mix materials into a measured file, OUT, which is the last argument. The others are measured "
     "files\n"
     "(.binary, .bsdf) or descriptions such as roughconductor:material=Au,alpha=0.2. In the "
     "log-relative\n"
@@ -24,8 +24,9 @@ static const char summary[] =
 
 struct mix_run {
     struct texts arguments;
-    const char *out;
+    struct measured_out out;
     size_t count; /* materials */
+    int fill;
     struct numbers given;
     double *weight;
     int space;
@@ -41,23 +42,19 @@ static int read_command_line(struct mix_run *run, int argc, char **argv)
          "their sum"},
         {"space", 0, OPTION_CHOICE, &run->space, SPACES, 0, 0,
          "what is averaged; log-relative if not given"},
+        MEASURED_OUT_OPTIONS(run->out),
+        MEASURED_NO_FILL(&run->fill),
     };
-    const struct usage usage = {"mix",   "MATERIAL MATERIAL... OUT.binary",  summary,
+    const struct usage usage = {"mix",   "MATERIAL MATERIAL... OUT",         summary,
                                 options, sizeof options / sizeof options[0], 3,
                                 64};
-    enum lab_format format;
     int status = options_read(&usage, argc, argv, &run->arguments);
     if (status != OPTIONS_GO_ON) {
         return status;
     }
     run->count = (size_t)run->arguments.count - 1;
-    run->out = run->arguments.item[run->count];
-    status = measured_format(run->out, LAB_FORMAT_NONE, &format);
-    if (status == OPTIONS_GO_ON && format != LAB_FORMAT_MERL) {
-        return say_usage("mix writes MERL files: name \"%s\" .binary, and convert it afterwards",
-                         run->out);
-    }
-    return status;
+    return measured_out_set(&run->out, run->arguments.item[run->count], run->arguments.item,
+                            run->count);
 }
 
 /* As many weights as materials; equal ones if none is given. */
@@ -94,22 +91,23 @@ static int set_weights(struct mix_run *run)
 static brdf_status mix_and_write(struct mix_run *run, struct brdf_error *error)
 {
     struct brdf_merl_file mixture = {0};
-    brdf_status status = measured_check(run->out, error);
+    brdf_status status = measured_check(&run->out, error);
     for (size_t k = 0; k < run->count && !status; ++k) {
-        status = measured_open(run->arguments.item[k], &run->files[k], &run->formats[k], error);
+        status = measured_open(run->arguments.item[k], run->fill, &run->files[k], &run->formats[k],
+                               error);
     }
     if (status) {
         return status;
     }
     /* A mixture that is one of its parts is that file, to the last bit of its doubles. */
     int same = lab_mix_same(run->files, run->weight, run->count);
-    if (same >= 0 && run->formats[same] == LAB_FORMAT_MERL) {
-        return measured_copy(run->arguments.item[same], run->out, error);
+    if (same >= 0 && (int)run->formats[same] == run->out.format && run->fill) {
+        return measured_copy(&run->out, run->arguments.item[same], error);
     }
     status = lab_mix_merl(run->files, run->weight, run->count, (enum lab_mix_space)run->space,
                           &mixture, error);
     if (!status) {
-        status = measured_write(run->out, &mixture, error);
+        status = measured_write(&run->out, &mixture, error);
     }
     brdf_merl_free(&mixture);
     return status;
@@ -121,7 +119,7 @@ static void report(const struct mix_run *run)
     for (size_t k = 0; k < run->count; ++k) {
         sum += run->weight[k];
     }
-    printf("%s:", run->out);
+    printf("%s:", run->out.path);
     for (size_t k = 0; k < run->count; ++k) {
         printf("%s %.6g %s", k ? " +" : "", run->weight[k] / sum, run->arguments.item[k]);
     }
@@ -130,7 +128,7 @@ static void report(const struct mix_run *run)
 
 int command_mix(int argc, char **argv)
 {
-    struct mix_run run = {.space = LAB_MIX_LOGRELATIVE};
+    struct mix_run run = {.space = LAB_MIX_LOGRELATIVE, .fill = 1};
     struct brdf_error error = {BRDF_OK, ""};
     brdf_status status = BRDF_OK;
     int exit_status = read_command_line(&run, argc, argv);

@@ -13,6 +13,7 @@
 #include "commands.h"
 #include "measured.h"
 #include "navigate_list.h"
+#include "navigate_print.h"
 #include "options.h"
 #include "parse.h"
 #include "say.h"
@@ -21,13 +22,13 @@
 static const char summary[] =
     "Make a map of materials (a folder of .binary and .bsdf files, single files, descriptions):\n"
     "principal components in the log-relative mapping, and where each material lies on them. With\n"
-    "--at or --trait, make the material at another place of the map and write it as a MERL file.\n"
+    "--at or --trait, make the material at another place of the map and write it as a file.\n"
     "Coordinates and amounts of traits are in standard deviations of the materials.";
 
 struct navigate_run {
     struct navigate_list list;
-    const char *from; /* where to start; NULL: the mean */
-    const char *out;  /* what to write; NULL: print the map */
+    const char *from;        /* where to start; NULL: the mean */
+    struct measured_out out; /* what to write; no path: print the map */
     struct numbers at;
     struct texts traits;
     int project;
@@ -52,55 +53,6 @@ static void end_progress(const struct navigate_run *run)
 {
     if (run->terminal) {
         fprintf(stderr, "\r%40s\r", "");
-    }
-}
-
-static void print_map(const struct navigate_run *run)
-{
-    const struct lab_basis *basis = run->basis;
-    size_t components = (size_t)basis->components;
-    printf("%-24s", "component");
-    for (size_t k = 0; k < components; ++k) {
-        printf(" %7zu", k + 1);
-    }
-    printf("\n%-24s", "variance [%]");
-    for (size_t k = 0; k < components; ++k) {
-        printf(" %7.2f", 100.0 * basis->explained[k]);
-    }
-    printf("\n\n%-24s\n", "coordinates");
-    for (size_t i = 0; i < basis->count; ++i) {
-        printf("%-24.24s", run->list.name[i]);
-        for (size_t k = 0; k < components; ++k) {
-            printf(" %7.3f", basis->coordinate[i * components + k]);
-        }
-        printf("\n");
-    }
-    if (basis->count <= components + 2) {
-        printf("\n%zu components fit %zu materials whatever they are: \"explained\" means nothing "
-               "here, more\nmaterials or a smaller --components would\n",
-               components, basis->count);
-    }
-    printf("\n%-24s  explained [%%] by the components\n", "traits");
-    for (int t = 0; t < LAB_TRAITS; ++t) {
-        printf("%-24s %7.1f  %s\n", lab_trait_name(t), 100.0 * basis->trait_explained[t],
-               lab_trait_meaning(t));
-    }
-}
-
-static void print_place(const struct navigate_run *run)
-{
-    printf("%s: at", run->out);
-    for (int k = 0; k < run->basis->components; ++k) {
-        double z = run->start[k] + run->step[k];
-        printf(" %.3f", z);
-    }
-    printf("\n");
-    for (int k = 0; k < run->basis->components; ++k) {
-        double z = run->start[k] + run->step[k];
-        if (fabs(z) > 3.0) {
-            say("coordinate %d is %.1f: beyond 3 the map is a guess, nothing was measured there",
-                k + 1, z);
-        }
     }
 }
 
@@ -193,10 +145,10 @@ static brdf_status make_place(struct navigate_run *run, struct brdf_error *error
         end_progress(run);
     }
     if (!status) {
-        status = measured_write(run->out, &file, error);
+        status = measured_write(&run->out, &file, error);
     }
     if (!status) {
-        print_place(run);
+        navigate_print_place(run->out.path, run->basis, run->start, run->step);
     }
     free(step);
     brdf_merl_free(&file);
@@ -205,7 +157,7 @@ static brdf_status make_place(struct navigate_run *run, struct brdf_error *error
 
 static brdf_status navigate(struct navigate_run *run, struct brdf_error *error)
 {
-    brdf_status status = run->out ? measured_check(run->out, error) : BRDF_OK;
+    brdf_status status = run->out.path ? measured_check(&run->out, error) : BRDF_OK;
     stop_install();
     stop_set_phase(STOP_ASKS);
     if (!status) {
@@ -224,10 +176,10 @@ static brdf_status navigate(struct navigate_run *run, struct brdf_error *error)
     if (!status) {
         status = find_step(run, error);
     }
-    if (!status && run->out) {
+    if (!status && run->out.path) {
         status = make_place(run, error);
     } else if (!status && !run->from) {
-        print_map(run);
+        navigate_print_map(run->basis, &run->list);
     }
     stop_set_phase(STOP_QUITS);
     return status;
@@ -251,27 +203,19 @@ static int read_command_line(struct navigate_run *run, int argc, char **argv,
          "go that far: brightness, gloss, sharpness, metallic, saturation, warmth, grazing"},
         {"project", 0, OPTION_ON, &run->project, NULL, 0, 0,
          "leave out of the start what the components do not describe"},
-        {"output", 'o', OPTION_TEXT, &run->out, "OUT.binary", 0, 0,
-         "the MERL file to write; if not given, the map is printed"},
+        {"output", 'o', OPTION_TEXT, &run->out.path, "OUT", 0, 0,
+         "the file to write; if not given, the map is printed"},
+        MEASURED_OUT_OPTIONS(run->out),
     };
     const struct usage usage = {
         "navigate", "FOLDER|MATERIAL...", summary, options, sizeof options / sizeof options[0], 0,
         64};
     int status = options_read(&usage, argc, argv, &arguments);
-    enum lab_format format = LAB_FORMAT_MERL;
-    if (status == OPTIONS_GO_ON && run->out) {
-        status = measured_format(run->out, LAB_FORMAT_NONE, &format);
-    }
     if (status != OPTIONS_GO_ON) {
         return status;
     }
-    if (format != LAB_FORMAT_MERL) {
-        return say_usage(
-            "navigate writes MERL files: name \"%s\" .binary, and convert it afterwards", run->out);
-    }
-    if (!run->out && (run->at.count || run->traits.count || run->project)) {
-        return say_usage(
-            "--at, --trait and --project make a material: give its file, -o OUT.binary");
+    if (!run->out.path && (run->at.count || run->traits.count || run->project)) {
+        return say_usage("--at, --trait and --project make a material: give its file, -o OUT");
     }
     for (int i = 0; i < arguments.count; ++i) {
         if (navigate_list_add(&run->list, arguments.item[i], error)) {
@@ -281,7 +225,14 @@ static int read_command_line(struct navigate_run *run, int argc, char **argv,
     if (list && navigate_list_read(&run->list, list, error)) {
         return say_error(error);
     }
-    return OPTIONS_GO_ON;
+    if (!run->out.path) {
+        return OPTIONS_GO_ON;
+    }
+    status = measured_out_set(&run->out, run->out.path, &run->from, run->from != NULL);
+    return status == OPTIONS_GO_ON
+               ? measured_out_set(&run->out, run->out.path, (const char *const *)run->list.material,
+                                  run->list.count)
+               : status;
 }
 
 int command_navigate(int argc, char **argv)

@@ -8,6 +8,7 @@
 #include "brdflab/open.h"
 #include "brdflab/plot.h"
 #include "commands.h"
+#include "measured.h"
 #include "options.h"
 #include "parse.h"
 #include "say.h"
@@ -83,17 +84,17 @@ static const char *base_of(const char *path)
 }
 
 /* A material, and its caption: a file is called by its name, without its folder. */
-static brdf_status open_material(const char *text, struct brdf_bsdf **bsdf,
+static brdf_status open_material(const char *text, int fill, struct brdf_bsdf **bsdf,
                                  struct lab_plot_material *material, struct brdf_error *error)
 {
     enum lab_format format = LAB_FORMAT_NONE;
-    brdf_status status = lab_open(text, bsdf, &format, error);
+    brdf_status status = lab_open_filled(text, fill, bsdf, &format, error);
     material->bsdf = *bsdf;
     material->name = format == LAB_FORMAT_NONE ? text : base_of(text);
     return status;
 }
 
-static int plot(const char *path, const struct texts *arguments,
+static int plot(const char *path, const struct texts *arguments, int fill,
                 const struct lab_plot_settings *settings)
 {
     struct brdf_bsdf *bsdf[LAB_PLOT_MATERIALS_MOST] = {NULL};
@@ -101,7 +102,7 @@ static int plot(const char *path, const struct texts *arguments,
     struct brdf_error error = {BRDF_OK, ""};
     brdf_status status = lab_plot_path_check(path, &error);
     for (int i = 0; i < arguments->count && !status; ++i) {
-        status = open_material(arguments->item[i], &bsdf[i], &materials[i], &error);
+        status = open_material(arguments->item[i], fill, &bsdf[i], &materials[i], &error);
     }
     if (!status) {
         status = lab_plot_write(path, materials, arguments->count, settings, &error);
@@ -119,7 +120,7 @@ int command_plot(int argc, char **argv)
     struct numbers angles = {.count = 0};
     struct size size = {0, 0};
     double phi = 0.0;
-    int channel = LAB_CHANNEL_LUMINANCE;
+    int channel = LAB_CHANNEL_LUMINANCE, fill = 1;
     const struct option options[] = {
         {NULL, 'o', OPTION_TEXT, &path, "FILE", 0, 0, "where to write: .png or .svg"},
         {"panels", 0, OPTION_TEXT, &panels, "LIST", 0, 0,
@@ -138,6 +139,7 @@ int command_plot(int argc, char **argv)
          "of the picture: pixels of a PNG, points of an SVG; what it needs if not given"},
         {"scale", 0, OPTION_REAL, &settings.scale, "X", 0.5, 8,
          "pixels a point, how large everything in a PNG is; 2 if not given"},
+        MEASURED_NO_FILL(&fill),
     };
     const struct usage usage = {
         "plot", "MATERIAL...",          summary, options, sizeof options / sizeof options[0],
@@ -161,5 +163,5 @@ int command_plot(int argc, char **argv)
     settings.azimuth = phi * degree;
     settings.channel = (enum lab_channel)channel;
     settings.on_write = stop_wait;
-    return plot(path, &arguments, &settings);
+    return plot(path, &arguments, fill, &settings);
 }

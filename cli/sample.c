@@ -6,6 +6,7 @@
 
 #include "brdflab/open.h"
 #include "commands.h"
+#include "measured.h"
 #include "options.h"
 #include "parse.h"
 #include "random.h"
@@ -33,11 +34,12 @@ static void print_sample(brdf_vec3 u, struct brdf_sample s)
 int command_sample(int argc, char **argv)
 {
     struct angles wo = {0.0, 0.0, 0};
-    int count = 16, seed = 0;
+    int count = 16, seed = 0, fill = 1;
     const struct option options[] = {
         {"wo", 0, OPTION_ANGLES, &wo, "THETA,PHI", 0, 0, "to the viewer [degrees]"},
         {"count", 0, OPTION_INT, &count, "N", 1, 2147483647, "how many; 16 if not given"},
         {"seed", 0, OPTION_INT, &seed, "N", 0, 2147483647, "another seed, other numbers"},
+        MEASURED_NO_FILL(&fill),
     };
     const struct usage usage = {
         "sample", "MATERIAL", summary, options, sizeof options / sizeof options[0], 1, 1};
@@ -51,7 +53,7 @@ int command_sample(int argc, char **argv)
     }
     struct brdf_error error = {BRDF_OK, ""};
     struct brdf_bsdf *bsdf;
-    if (lab_open(arguments.item[0], &bsdf, NULL, &error)) {
+    if (lab_open_filled(arguments.item[0], fill, &bsdf, NULL, &error)) {
         return say_error(&error);
     }
     brdf_vec3 viewer = direction_of_angles(wo);

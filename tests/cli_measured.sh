@@ -16,7 +16,7 @@ last='convert --json -'
 expect 0 convert roughconductor:material=Cu,alpha=0.2 metal.binary --json -
 cp out difference.json
 holds 'not valid JSON' valid_json difference.json
-for key in in out format rms mean albedo largest largest_wo largest_wi; do
+for key in material out format difference rms mean albedo largest largest_grazing wo wi theta; do
     says difference.json "\"$key\": "
 done
 rm difference.json
@@ -74,7 +74,36 @@ says out '^format      MERL: isotropic, 90 x 90 x 180'
 says out 'above the surface all but 1$'
 says out '^  *average   0.2000  0.4000  0.6000'
 says out 'never above 1'
-says out '^doubt       1 bins above the surface were not measured'
+says out '^doubt       1 bins above the surface were not measured.*filled from'
+expect 0 info holed.binary --no-fill
+says out '^doubt       1 bins above the surface were not measured.*count as 0'
+last='eval --no-fill'
+at='--wo 27.2860503,-49.8086359 --wi 27.0461629,50.3674599' # the centre of the hole
+expect 0 eval holed.binary $at
+says out '^f  *0\.0636'
+expect 0 eval holed.binary $at --no-fill
+says out '^f  *\(0\|[0-9.]*e-[0-9]*\|0\.000[0-9]*\) '
+cp out unfilled
+expect 0 eval merl:filename=holed.binary,fill=false $at
+holds '--no-fill is not fill=false' cmp -s out unfilled
+expect 1 eval merl:filename=holed.binary,fill=no $at
+says err "fill.*false"
+cat >scene.xml <<'END'
+<scene version="3.0.0"><sensor type="perspective"/><shape type="sphere"><bsdf type="merl">
+<string name="filename" value="holed.binary"/><boolean name="fill" value="false"/></bsdf></shape>
+<emitter type="constant"/></scene>
+END
+expect 0 render scene.xml --size 4x4 --spp 1 --backend c --quiet -o a.png
+rm unfilled scene.xml a.png
+last='info, a whole turn'
+{ # 90 x 90 x 360 bins of f = 1/1500 in R, and what the units make of it in the others
+    printf '\132\0\0\0\132\0\0\0\150\1\0\0'
+    yes "$(printf '\001\001\001\001\001\001\360?')" | tr -d '\n' | head -c 69984000
+} >turned.binary
+expect 0 info turned.binary
+says out '^format      MERL: isotropic, 90 x 90 x 360'
+says out '^folded      to 180 bins of phi_d: opposite ones, which differ by 0 of f'
+rm turned.binary
 last='info --json -'
 expect 0 info metal.binary --json -
 cp out info.json
@@ -133,7 +162,17 @@ refused 2 'an argument is missing' mix a b
 refused 2 'leave it none' mix diffuse phong ward o.binary --weight 0.6,0.6
 refused 2 '3 weights for 2 materials' mix diffuse phong o.binary --weight 1,2,3
 refused 2 'all weights are 0' mix diffuse phong o.binary --weight 0,0
-refused 2 'MERL files' mix diffuse phong o.bsdf
+last='mix to RGL'
+expect 0 mix matte.binary roughplastic:alpha=0.3 mixed.bsdf --weight 0.4 --thetas 9 --size 32
+says out '^roughplastic:alpha=0.3: onto MERL.s grid$'
+says out '^mixed.bsdf: from MERL.s grid into RGL.s$'
+says out '^difference  rms 0.0.*99% below 0.*albedo 0.0'
+expect 0 mix mixed.bsdf mixed.bsdf again.bsdf
+same mixed.bsdf again.bsdf 'mixing an RGL file with itself changes bits'
+expect 0 info mixed.bsdf
+says out 'RGL: isotropic'
+rm mixed.bsdf
+refused 2 '"./metal.binary" is read and written' mix diffuse metal.binary ./metal.binary
 refused 2 'no suffix that tells its format' mix diffuse phong o.txt
 refused 2 'one of log-relative' mix diffuse phong o.binary --space cubic
 refused 1 'did you mean "diffuse"' mix difuse phong o.binary
@@ -155,7 +194,27 @@ says out '^edited.binary: matte.binary, edited'
 expect 0 info edited.binary
 says out '^  *average   0.3[0-9]*  0.3[0-9]*  0.3'
 rm edited.binary
-refused 2 'MERL files' edit diffuse o.bsdf
+last='edit to RGL'
+expect 0 edit matte.binary edited.bsdf --diffuse 0.5 --thetas 5 --size 16
+says out '^edited.bsdf: from MERL.s grid into RGL.s$'
+expect 0 info edited.bsdf
+says out '^  *average   0.\(10\|099\)[0-9]*  0.\(20\|19\)[0-9]*  0.\(30\|29\)[0-9]*$'
+expect 0 edit edited.bsdf again.bsdf
+says out '^again.bsdf: edited.bsdf, unchanged'
+same edited.bsdf again.bsdf 'an edit of nothing changes bits'
+rm edited.bsdf
+last='edit in place'
+cp matte.binary place.binary
+made="$made place.binary"
+refused 2 '"place.binary" is read and written: .*--force' edit place.binary place.binary --diffuse 0.5
+refused 2 'is read and written' convert ./place.binary place.binary
+same matte.binary place.binary 'a refused edit changes the file'
+cp matte.binary place.binary
+expect 0 edit place.binary place.binary --diffuse 0.5 --force
+expect 0 info place.binary
+says out '^  *average   0.1000  0.2000  0.3000'
+rm place.binary
+made='matte.binary metal.binary'
 refused 2 'one of all|diffuse|specular' edit diffuse o.binary --part none
 refused 1 'from 0.05 to 20' edit diffuse o.binary --gloss 0
 
@@ -164,6 +223,11 @@ refused 1 'from 0.05 to 20' edit diffuse o.binary --gloss 0
 refused 2 'no suffix' convert diffuse o.exr
 refused 1 'mirror direction' convert conductor o.binary
 refused 1 'lets light through' convert roughdielectric o.binary
+refused 1 'lets light through' convert principled:spec_trans=0.5 o.binary
+last='convert an opaque principled'
+expect 0 convert principled:roughness=0.5,metallic=1 o.binary
+says out '^difference  rms 0.00'
+rm o.binary
 refused 1 'is a folder' convert diffuse /tmp --format merl
 refused 1 '/nonexistent' convert diffuse /nonexistent/o.binary
 refused 1 'No such file' info difuse.binary

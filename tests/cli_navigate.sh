@@ -25,11 +25,21 @@ expect 0 navigate --list set.txt --from phong:exponent=20 --trait gloss=0.5 -o n
 says out '^new.binary: at '
 expect 0 info new.binary
 says out 'MERL'
+cp new.binary set.binary
 rm new.binary
-made=set.txt
+made='set.txt set.binary new.bsdf'
+expect 0 navigate --list set.txt --at 0.5 -o new.bsdf --thetas 5 --size 16
+says out '^difference  rms 0\.'
+expect 0 info new.bsdf
+says out 'RGL: isotropic'
+rm new.bsdf
+made='set.txt set.binary'
 
 refused 2 'give its file, -o' navigate --list set.txt --trait gloss=1
-refused 2 'name .new.bsdf. .binary' navigate --list set.txt --at 1 -o new.bsdf
+refused 2 'is read and written' navigate --list set.txt --from phong:exponent=20 ./set.binary --at 1 -o set.binary
+rm set.binary
+made=set.txt
+refused 2 'no suffix that tells its format' navigate --list set.txt --at 1 -o new.txt
 refused 1 'needs 3 to 10000' navigate diffuse phong
 refused 1 'did you mean .gloss.' navigate --list set.txt --trait glos=1 -o new.binary
 refused 1 'such as gloss=1.5' navigate --list set.txt --trait gloss -o new.binary

@@ -78,7 +78,7 @@ static inline float *bake(brdf_merl_function *f, double parameter)
     snprintf(path, sizeof path, "%s/baked.binary", folder);
     if (brdf_merl_make(f, &parameter, &file, NULL) == BRDF_OK &&
         brdf_merl_write(path, &file, NULL) == BRDF_OK) {
-        brdf_merl_table_load(path, &table, &words, NULL);
+        brdf_merl_table_load(path, BRDF_MERL_INVALID_FILL, &table, &words, NULL);
     }
     brdf_merl_free(&file);
     unlink(path);

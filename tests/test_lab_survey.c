@@ -22,7 +22,7 @@ static size_t bin_at(int theta_h, int theta_d, int phi_d)
 static int doubts(const struct lab_survey *survey, const struct lab_merl_survey *merl,
                   const char *word, int *count)
 {
-    struct lab_findings findings = {survey, merl, NULL};
+    struct lab_findings findings = {survey, merl, NULL, 1};
     char text[300];
     int found = 0;
     for (*count = 0; lab_survey_doubt(&findings, *count, text, sizeof text); ++*count) {

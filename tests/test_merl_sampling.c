@@ -204,7 +204,7 @@ static void a_real_material_is_plausible(void **state)
     snprintf(path, sizeof path, "%s/gold.binary", folder);
     snprintf(command, sizeof command, "xz -dc '%s' >'%s'", packed, path);
     int unpacked = system(command);
-    brdf_status status = brdf_merl_table_load(path, &table, &words, NULL);
+    brdf_status status = brdf_merl_table_load(path, BRDF_MERL_INVALID_FILL, &table, &words, NULL);
     unlink(path);
     rmdir(folder);
     free(folder);

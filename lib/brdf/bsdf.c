@@ -48,7 +48,8 @@ brdf_status brdf_bsdf_build(const char *model, const struct brdf_setting *settin
     }
     status = brdf_settings_apply(bsdf, info, settings, count, origin, error);
     if (!status && bsdf->file[0]) {
-        status = brdf_table_load(info, bsdf->file, &bsdf->table, &bsdf->table_words, error);
+        status =
+            brdf_table_load(&bsdf->material, bsdf->file, &bsdf->table, &bsdf->table_words, error);
     }
     if (!status && info->flags & BRDF_COMPUTED) {
         status = brdf_table_compute(&bsdf->material, &bsdf->table, &bsdf->table_words, error);

@@ -48,7 +48,7 @@ int brdf_file_number(const struct brdf_model_info *model,
  * Read the tables of a tabulated model's files, one behind the other in the order of its list;
  * *table is to be freed with free(). tables.c
  */
-brdf_status brdf_table_load(const struct brdf_model_info *model, char *const files[BRDF_FILES],
+brdf_status brdf_table_load(const struct brdf_material *material, char *const files[BRDF_FILES],
                             float **table, size_t *words, struct brdf_error *error);
 
 /*

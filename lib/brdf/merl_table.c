@@ -49,7 +49,7 @@ static void edges_build(float *edges)
 static void point_evaluate(const float *table, brdf_vec3 wo, double q, double phi, double solid,
                            double *f, double *weight)
 {
-    struct brdf_merl nearest = {.interpolation = BRDF_MERL_NEAREST, .scale = 1.0f};
+    struct brdf_merl nearest = {.interpolation = BRDF_MERL_NEAREST, .fill = 1, .scale = 1.0f};
     double radius = 2.0 * sqrt(q * (1.0 - q));
     brdf_vec3 h = brdf_vec3_make((float)(radius * cos(phi)), (float)(radius * sin(phi)),
                                  (float)(1.0 - 2.0 * q));
@@ -205,11 +205,11 @@ brdf_status brdf_merl_table_build(const struct brdf_merl_file *file, float **tab
     return BRDF_OK;
 }
 
-brdf_status brdf_merl_table_load(const char *path, float **table, size_t *words,
-                                 struct brdf_error *error)
+brdf_status brdf_merl_table_load(const char *path, enum brdf_merl_invalid invalid, float **table,
+                                 size_t *words, struct brdf_error *error)
 {
     struct brdf_merl_file file;
-    brdf_status status = brdf_merl_read(path, BRDF_MERL_INVALID_FILL, &file, error);
+    brdf_status status = brdf_merl_read(path, invalid, &file, error);
     if (status == BRDF_OK) {
         status = brdf_merl_table_build(&file, table, words, error);
         brdf_merl_free(&file);

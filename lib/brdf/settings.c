@@ -102,13 +102,18 @@ static brdf_status complete_metal(const struct brdf_draft *d,
     return BRDF_OK;
 }
 
-/* An opaque material may be mirrored, a clear one has a side below of its own. */
-static brdf_status complete_twosided(const struct brdf_draft *d)
+/* An opaque material may be mirrored and lets no light through, whatever its model could do; a
+   clear one has a side below of its own. */
+static brdf_status complete_clarity(const struct brdf_draft *d)
 {
-    const struct brdf_material *m = &d->bsdf->material;
+    struct brdf_material *m = &d->bsdf->material;
     const struct brdf_parameter_info *clarity = clarity_of(d);
-    if (clarity && m->flags & BRDF_TWOSIDED &&
-        m->word[brdf_parameter_place(d->model, clarity)] > 0.0f) {
+    if (!clarity) {
+        return BRDF_OK;
+    }
+    int clear = m->word[brdf_parameter_place(d->model, clarity)] > 0.0f;
+    m->flags &= clear ? ~0u : ~BRDF_TRANSMISSION;
+    if (clear && m->flags & BRDF_TWOSIDED) {
         return brdf_draft_refuse(d, BRDF_BAD_ARGUMENT,
                                  "%s with %s above 0 has a side below of its own: leave out"
                                  " twosided",
@@ -121,7 +126,7 @@ static brdf_status complete_twosided(const struct brdf_draft *d)
 static brdf_status complete(struct brdf_draft *d)
 {
     d->setting = NULL;
-    brdf_status status = complete_twosided(d);
+    brdf_status status = complete_clarity(d);
     for (size_t i = 0; !status && i < d->model->parameter_count; ++i) {
         const struct brdf_parameter_info *p = &d->model->parameters[i];
         if (p->kind == BRDF_KIND_METAL) {

@@ -2,14 +2,11 @@
 #include "compare.h"
 
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include <brdf/warp.h>
 
-#include "brdf/bsdf.h"
-#include "brdf/merl_table.h"
 #include "lattice.h"
+#include "tabulated.h"
 
 static const double pi = 3.14159265358979323846;
 
@@ -17,26 +14,51 @@ enum { INCIDENCES = 9, POINTS = 1 << 14 };
 
 static const double seen = 1e-3; /* 1/sr: relative differences of less than this say nothing */
 
-/* Sums over the points of one incidence. */
+/* Light by how large the relative difference is where it goes: 32 steps a decade from 1e-8 on. */
+enum { STEPS_A_DECADE = 32, DECADES = 12, STEPS = STEPS_A_DECADE * DECADES };
+static const double least_step = 1e-8;
+
+/* Sums over the points of one incidence; `light` over those of all. */
 struct sums {
     double square, square_of_f;
     double absolute, of_f;
     double albedo_f[3], albedo_g[3];
+    double *light; /* [STEPS] */
 };
 
-/* Keep the largest relative difference. */
-static void worst_update(struct lab_difference *worst, double f, double g, brdf_vec3 wo,
-                         brdf_vec3 wi)
+static void light_add(double *light, double relative, double weight)
 {
-    double relative = f > seen ? fabs(f - g) / f : 0.0;
-    if (relative > worst->worst) {
-        worst->worst = relative;
+    double step = STEPS_A_DECADE * log10(fmax(relative, least_step) / least_step);
+    light[(int)fmin(step, STEPS - 1.0)] += weight;
+}
+
+/* The relative difference that this share of the light stays below, to one step. */
+static double light_below(const double *light, double share)
+{
+    double all = 0.0, sum = 0.0;
+    int step = 0;
+    for (int k = 0; k < STEPS; ++k) {
+        all += light[k];
+    }
+    while (step < STEPS && sum < share * all) {
+        sum += light[step++];
+    }
+    return step <= 1 ? 0.0 : least_step * pow(10.0, (double)step / STEPS_A_DECADE);
+}
+
+/* Keep the largest relative difference. */
+static void worst_update(struct lab_difference *result, double relative, brdf_vec3 wo, brdf_vec3 wi)
+{
+    int grazing = fmin((double)wo.z, (double)wi.z) < cos(LAB_GRAZING * pi / 180.0);
+    struct lab_worst *worst = grazing ? &result->grazing : &result->worst;
+    if (relative > worst->relative) {
+        worst->relative = relative;
         worst->wo = wo;
         worst->wi = wi;
     }
 }
 
-static void point_add(struct sums *sums, struct lab_difference *worst, brdf_rgb f, brdf_rgb g,
+static void point_add(struct sums *sums, struct lab_difference *result, brdf_rgb f, brdf_rgb g,
                       brdf_vec3 wo, brdf_vec3 wi, double weight)
 {
     const double fs[3] = {(double)f.r, (double)f.g, (double)f.b};
@@ -49,12 +71,17 @@ static void point_add(struct sums *sums, struct lab_difference *worst, brdf_rgb 
         sums->of_f += weight * fs[c];
         sums->albedo_f[c] += weight * fs[c];
         sums->albedo_g[c] += weight * gs[c];
-        worst_update(worst, fs[c], gs[c], wo, wi);
+        if (fs[c] > 0.0) {
+            light_add(sums->light, fabs(difference) / fs[c], weight * fs[c]);
+        }
+        if (fs[c] > seen) {
+            worst_update(result, fabs(difference) / fs[c], wo, wi);
+        }
     }
 }
 
 /* Every other wi is drawn from f, the rest by the cosine; both are weighted by the mixture. */
-static void incidence_add(struct sums *sums, struct lab_difference *worst,
+static void incidence_add(struct sums *sums, struct lab_difference *result,
                           const struct brdf_bsdf *f, const struct brdf_bsdf *g, brdf_vec3 wo)
 {
     struct lab_lattice lattice = lab_lattice_make(3, 1);
@@ -74,7 +101,7 @@ static void incidence_add(struct sums *sums, struct lab_difference *worst,
         }
         double cosine = (double)wi.z;
         double density = 0.5 * cosine / pi + 0.5 * (double)brdf_pdf(f, wo, wi);
-        point_add(sums, worst, brdf_eval(f, wo, wi), brdf_eval(g, wo, wi), wo, wi,
+        point_add(sums, result, brdf_eval(f, wo, wi), brdf_eval(g, wo, wi), wo, wi,
                   cosine / (density * POINTS));
     }
 }
@@ -83,9 +110,10 @@ struct lab_difference lab_compare(const struct brdf_bsdf *f, const struct brdf_b
 {
     struct lab_difference result = {0};
     struct sums all = {0};
+    double light[STEPS] = {0.0};
     for (int k = 0; k < INCIDENCES; ++k) {
         double theta = (5.0 + 10.0 * k) * pi / 180.0;
-        struct sums sums = {0};
+        struct sums sums = {.light = light};
         incidence_add(&sums, &result, f, g,
                       brdf_vec3_make((float)sin(theta), 0.0f, (float)cos(theta)));
         all.square += sums.square;
@@ -98,43 +126,18 @@ struct lab_difference lab_compare(const struct brdf_bsdf *f, const struct brdf_b
     }
     result.rms = all.square_of_f > 0.0 ? sqrt(all.square / all.square_of_f) : sqrt(all.square);
     result.mean = all.of_f > 0.0 ? all.absolute / all.of_f : all.absolute;
+    result.most = light_below(light, 0.99);
     return result;
-}
-
-/* A table as the model merl reads it from a file, without the file. */
-static brdf_status bsdf_of_merl(const struct brdf_merl_file *file, struct brdf_bsdf *bsdf,
-                                struct brdf_error *error)
-{
-    struct brdf_setting name = brdf_setting_text("filename", "a table in memory");
-    const struct brdf_model_info *model = brdf_model_info(BRDF_MODEL_MERL);
-    brdf_status status = brdf_settings_apply(bsdf, model, &name, 1, NULL, error);
-    if (!status) {
-        bsdf->parameters =
-            brdf_parameters_load(bsdf->material.model, bsdf->material.choices, bsdf->material.word);
-        status = brdf_merl_table_build(file, &bsdf->table, &bsdf->table_words, error);
-    }
-    return status;
 }
 
 brdf_status lab_compare_merl(const struct brdf_bsdf *f, const struct brdf_merl_file *g,
                              struct lab_difference *difference, struct brdf_error *error)
 {
-    struct brdf_merl_file filled = {0};
-    struct brdf_bsdf bsdf = {0};
-    brdf_status status = brdf_merl_create(&filled, error);
+    struct brdf_bsdf *bsdf = NULL;
+    brdf_status status = lab_bsdf_of_merl(g, &bsdf, error);
     if (!status) {
-        memcpy(filled.rgb, g->rgb, g->bins * 3 * sizeof *g->rgb);
-        filled.invalid = g->invalid;
-        status = brdf_merl_fill(&filled, error);
+        *difference = lab_compare(f, bsdf);
     }
-    if (!status) {
-        status = bsdf_of_merl(&filled, &bsdf, error);
-    }
-    if (!status) {
-        *difference = lab_compare(f, &bsdf);
-    }
-    free(bsdf.table);
-    free(bsdf.file[0]);
-    brdf_merl_free(&filled);
+    brdf_bsdf_destroy(bsdf);
     return status;
 }

@@ -82,6 +82,12 @@ brdf_status lab_format_of(const char *text, enum lab_format *format, struct brdf
 brdf_status lab_open(const char *text, struct brdf_bsdf **out, enum lab_format *format,
                      struct brdf_error *error)
 {
+    return lab_open_filled(text, 1, out, format, error);
+}
+
+brdf_status lab_open_filled(const char *text, int fill, struct brdf_bsdf **out,
+                            enum lab_format *format, struct brdf_error *error)
+{
     enum lab_format found;
     *out = NULL;
     brdf_status status = lab_format_of(text, &found, error);
@@ -94,9 +100,10 @@ brdf_status lab_open(const char *text, struct brdf_bsdf **out, enum lab_format *
     if (found == LAB_FORMAT_NONE) {
         return brdf_bsdf_create(text, out, error);
     }
-    struct brdf_setting setting = brdf_setting_text("filename", text);
-    return brdf_bsdf_create_from(found == LAB_FORMAT_RGL ? "measured" : "merl", &setting, 1, out,
-                                 error);
+    const struct brdf_setting settings[2] = {brdf_setting_text("filename", text),
+                                             brdf_setting_text("fill", fill ? "true" : "false")};
+    return found == LAB_FORMAT_RGL ? brdf_bsdf_create_from("measured", settings, 1, out, error)
+                                   : brdf_bsdf_create_from("merl", settings, 2, out, error);
 }
 
 brdf_status lab_open_merl(const char *text, struct brdf_merl_file *file, enum lab_format *format,

@@ -22,9 +22,14 @@ enum lab_format {
 brdf_status lab_format_of(const char *text, enum lab_format *format, struct brdf_error *error);
 
 /*
- * Open what the text names as a bsdf, *out for brdf_bsdf_destroy; `format` may be NULL. Errors:
- * those of lab_format_of and brdf_bsdf_create.
+ * Open what the text names as a bsdf, *out for brdf_bsdf_destroy; `format` may be NULL. Of a MERL
+ * file, bins without a measurement are filled, or 0 if not `fill` (a description says it itself, as
+ * in merl:filename=gold.binary,fill=false). Errors: those of lab_format_of and brdf_bsdf_create.
  */
+brdf_status lab_open_filled(const char *text, int fill, struct brdf_bsdf **out,
+                            enum lab_format *format, struct brdf_error *error);
+
+/* The same, filled. */
 brdf_status lab_open(const char *text, struct brdf_bsdf **out, enum lab_format *format,
                      struct brdf_error *error);
 

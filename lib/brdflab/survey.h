@@ -47,6 +47,8 @@ struct lab_merl_survey {
     struct lab_place least_at, most_at;
     double noise;         /* from bin to bin: see survey_merl.c; relative, up to 60 degrees */
     double noise_grazing; /* the same beyond 60 degrees */
+    int folded;           /* the file had 360 bins of phi_d; read as struct brdf_merl_file says */
+    double folding;       /* ... and so far apart were those that reciprocity makes equal */
 };
 
 void lab_survey_merl(const struct brdf_merl_file *file, struct lab_merl_survey *survey);
@@ -69,6 +71,7 @@ struct lab_findings {
     const struct lab_survey *all;
     const struct lab_merl_survey *merl;
     const struct lab_rgl_survey *rgl;
+    int fill; /* bins of a MERL file that were not measured are filled, and not 0 */
 };
 
 /*

@@ -31,11 +31,24 @@ static int not_measured(const struct lab_findings *findings, char *text, size_t 
     if (!m || m->above_invalid == 0) {
         return 0;
     }
+    snprintf(
+        text, size,
+        "%zu bins above the surface were not measured (%.2f %%), from %.1f degrees on: they %s",
+        m->above_invalid, 100.0 * (double)m->above_invalid / (double)m->above, m->invalid_from,
+        findings->fill ? "are filled from their neighbours" : "count as 0");
+    return 1;
+}
+
+static int unlike_halves(const struct lab_findings *findings, char *text, size_t size)
+{
+    const struct lab_merl_survey *m = findings->merl;
+    if (!m || m->folding < 0.1) {
+        return 0;
+    }
     snprintf(text, size,
-             "%zu bins above the surface were not measured (%.2f %%), from %.1f degrees on: they "
-             "are filled from their neighbours",
-             m->above_invalid, 100.0 * (double)m->above_invalid / (double)m->above,
-             m->invalid_from);
+             "the half turns of phi_d that reciprocity makes equal differ by %.1f %% in the file: "
+             "their mean is used",
+             100.0 * m->folding);
     return 1;
 }
 
@@ -104,9 +117,9 @@ static int not_measured_at_grazing(const struct lab_findings *findings, char *te
 const char *lab_survey_doubt(const struct lab_findings *findings, int number, char *text,
                              size_t size)
 {
-    static doubt *const doubts[] = {energy_above_one, not_reciprocal,         not_measured,
-                                    black_bins,       peak_at_grazing,        noisy,
-                                    out_of_gamut,     not_measured_at_grazing};
+    static doubt *const doubts[] = {
+        energy_above_one, not_reciprocal, not_measured, unlike_halves,          black_bins,
+        peak_at_grazing,  noisy,          out_of_gamut, not_measured_at_grazing};
     for (size_t i = 0; i < sizeof doubts / sizeof doubts[0]; ++i) {
         if (doubts[i](findings, text, size) && number-- == 0) {
             return text;

@@ -87,6 +87,8 @@ void lab_survey_merl(const struct brdf_merl_file *file, struct lab_merl_survey *
     struct noise noise[2] = {{0.0, 0}, {0.0, 0}};
     memset(survey, 0, sizeof *survey);
     survey->bins = file->bins;
+    survey->folded = file->folded;
+    survey->folding = file->folding;
     survey->least = HUGE_VAL;
     survey->invalid_from = 90.0;
     for (size_t bin = 0; bin < file->bins; ++bin) {

@@ -17,6 +17,7 @@
 
 #define BRDF_MEASUREDMIX_PARAMETERS(P)                                                             \
     P(CHOICE, interpolation, 0, 0, 1, "linear|nearest", "between the bins of the measurements")    \
+    P(CHOICE, fill, 1, 0, 1, "false|true", "bins not measured: 0, or a value from neighbours")     \
     P(REAL, weight, 0.5f, 0.0f, 1.0f, "1", "share of the second material")                         \
     P(FILE, filename_a, 0, 0, 0, "path", "the first material, a MERL .binary file")                \
     P(FILE, filename_b, 0, 0, 0, "path", "the second material, a MERL .binary file")
@@ -32,6 +33,7 @@ static inline struct brdf_merl brdf_measuredmix_part(struct brdf_measuredmix p)
 {
     struct brdf_merl part;
     part.interpolation = p.interpolation;
+    part.fill = p.fill; /* which the table has seen to already */
     part.scale = 1.0f;
     return part;
 }

@@ -9,10 +9,10 @@
  * each of 17 values of cos(theta_o) the part of f cos(theta_i) above a constant floor is tabulated
  * over the half vector, with its Jacobian; the floor itself is sampled by the cosine. The density
  * is the linear blend of the two nearest rows, so it is continuous in theta_o. Valid above the
- * surface for every direction; bins that the measurement lacks were filled when the file was read.
- * No energy is added or removed: data that reflects more than it receives, does so. Deviation: the
- * reference code looks up the bin that the angles fall into ("nearest"); "linear" blends the eight
- * bins around, each bin's value belonging to its centre.
+ * surface for every direction; bins that the measurement lacks are filled when the file is read, or
+ * 0 where `fill` is false. No energy is added or removed: data that reflects more than it receives,
+ * does so. Deviation: the reference code looks up the bin that the angles fall into ("nearest");
+ * "linear" blends the eight bins around, each bin's value belonging to its centre.
  */
 #ifndef BRDF_MODEL_MERL_H
 #define BRDF_MODEL_MERL_H
@@ -49,6 +49,7 @@ enum brdf_merl_interpolation { BRDF_MERL_LINEAR, BRDF_MERL_NEAREST };
 
 #define BRDF_MERL_PARAMETERS(P)                                                                    \
     P(CHOICE, interpolation, 0, 0, 1, "linear|nearest", "between the bins of the measurement")     \
+    P(CHOICE, fill, 1, 0, 1, "false|true", "bins not measured: 0, or a value from neighbours")     \
     P(REAL, scale, 1.0f, 0.0f, 100.0f, "1", "factor on the measured values")                       \
     P(FILE, filename, 0, 0, 0, "path", "the measurement, a MERL .binary file")
 
