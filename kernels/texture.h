@@ -110,11 +110,12 @@ static inline brdf_parameters pt_textured_parameters(struct pt_world w, unsigned
         float low = binding->low;
         float high = binding->high;
         if (colors >> word & 1u) {
-            brdf_parameters_set(&p, model, word, brdf_clamp(value.r, low, high));
-            brdf_parameters_set(&p, model, word + 1, brdf_clamp(value.g, low, high));
-            brdf_parameters_set(&p, model, word + 2, brdf_clamp(value.b, low, high));
+            p = brdf_parameters_set(p, model, word, brdf_clamp(value.r, low, high));
+            p = brdf_parameters_set(p, model, word + 1, brdf_clamp(value.g, low, high));
+            p = brdf_parameters_set(p, model, word + 2, brdf_clamp(value.b, low, high));
         } else {
-            brdf_parameters_set(&p, model, word, brdf_clamp(brdf_rgb_luminance(value), low, high));
+            p = brdf_parameters_set(p, model, word,
+                                    brdf_clamp(brdf_rgb_luminance(value), low, high));
         }
         ++binding;
     }

@@ -54,29 +54,57 @@ union brdf_parameters {
 };
 typedef union brdf_parameters brdf_parameters;
 
-/* The values of a model's struct, which stand behind its choices. */
-static inline brdf_real *brdf_values_of(void *parameters, int choice_count)
-{
-    int *choice = (int *)parameters;
-    int lanes = (int)(sizeof(brdf_real) / sizeof(int));
-    return (brdf_real *)(void *)(choice + (choice_count + lanes - 1) / lanes * lanes);
-}
+/*
+ * One value for all lanes from each word, one int from each 4 bits: a model's struct, filled.
+ * Member by member, not in a loop over them: compilers keep a struct in registers, and know its
+ * choices to be the constants that they are, only while nothing indexes into it.
+ */
+#define BRDF_LOAD(kind, name, initial, low, high, unit, meaning) BRDF_LOAD_##kind(name)
+#define BRDF_LOAD_CHOICE(name)                                                                     \
+    p.name = (int)(choices & 15u);                                                                 \
+    choices >>= 4;
+#define BRDF_LOAD_REAL(name) p.name = *word++;
+#define BRDF_LOAD_COLOR(name)                                                                      \
+    p.name = brdf_rgb_make(word[0], word[1], word[2]);                                             \
+    word += 3;
+#define BRDF_LOAD_ALIAS(name)
+#define BRDF_LOAD_METAL(name)
+#define BRDF_LOAD_FILE(name)
 
-/* One value for all lanes from each word, one int from each 4 bits: a model's struct, filled. */
-static inline void brdf_unpack(void *parameters, int choice_count, int word_count, unsigned choices,
-                               BRDF_GLOBAL const float *word)
-{
-    int *choice = (int *)parameters;
-    brdf_real *value = brdf_values_of(parameters, choice_count);
-    BRDF_UNROLL
-    for (int i = 0; i < choice_count; ++i) {
-        choice[i] = (int)(choices >> (4 * i) & 15u);
+/* Replace the value of word number `at`. */
+#define BRDF_SET(kind, name, initial, low, high, unit, meaning) BRDF_SET_##kind(name)
+#define BRDF_SET_CHOICE(name)
+#define BRDF_SET_REAL(name)                                                                        \
+    p.name = at == 0 ? value : p.name;                                                             \
+    at -= 1;
+#define BRDF_SET_COLOR(name)                                                                       \
+    p.name.r = at == 0 ? value : p.name.r;                                                         \
+    p.name.g = at == 1 ? value : p.name.g;                                                         \
+    p.name.b = at == 2 ? value : p.name.b;                                                         \
+    at -= 3;
+#define BRDF_SET_ALIAS(name)
+#define BRDF_SET_METAL(name)
+#define BRDF_SET_FILE(name)
+
+/* Both of them for each model. One without parameters uses none of the arguments. */
+#define BRDF_MODEL(model, NAME, flags, summary, reference)                                         \
+    static inline struct brdf_##model brdf_##model##_load(unsigned choices,                        \
+                                                          BRDF_GLOBAL const float *word)           \
+    {                                                                                              \
+        struct brdf_##model p;                                                                     \
+        (void)choices;                                                                             \
+        (void)word;                                                                                \
+        BRDF_##NAME##_PARAMETERS(BRDF_LOAD) return p;                                              \
+    }                                                                                              \
+    static inline struct brdf_##model brdf_##model##_set(struct brdf_##model p, int at,            \
+                                                         brdf_real value)                          \
+    {                                                                                              \
+        (void)at;                                                                                  \
+        (void)value;                                                                               \
+        BRDF_##NAME##_PARAMETERS(BRDF_SET) return p;                                               \
     }
-    BRDF_UNROLL
-    for (int i = 0; i < word_count; ++i) {
-        value[i] = word[i];
-    }
-}
+#include "models.h"
+#undef BRDF_MODEL
 
 static inline brdf_parameters brdf_parameters_load(unsigned model, unsigned choices,
                                                    BRDF_GLOBAL const float *word)
@@ -85,7 +113,7 @@ static inline brdf_parameters brdf_parameters_load(unsigned model, unsigned choi
     switch (model) {
 #define BRDF_MODEL(name, NAME, flags, summary, reference)                                          \
     case BRDF_MODEL_##NAME:                                                                        \
-        brdf_unpack(&p.name, BRDF_##NAME##_CHOICES, BRDF_##NAME##_WORDS, choices, word);           \
+        p.name = brdf_##name##_load(choices, word);                                                \
         break;
 #include "models.h"
 #undef BRDF_MODEL
@@ -97,19 +125,20 @@ static inline brdf_parameters brdf_parameters_load(unsigned model, unsigned choi
 
 /* Replace what came from one word by a value for each lane, which must be in the parameter's range:
    how a parameter varies over a surface. */
-static inline void brdf_parameters_set(brdf_parameters *p, unsigned model, int word,
-                                       brdf_real value)
+static inline brdf_parameters brdf_parameters_set(brdf_parameters p, unsigned model, int word,
+                                                  brdf_real value)
 {
     switch (model) {
 #define BRDF_MODEL(name, NAME, flags, summary, reference)                                          \
     case BRDF_MODEL_##NAME:                                                                        \
-        brdf_values_of(&p->name, BRDF_##NAME##_CHOICES)[word] = value;                             \
+        p.name = brdf_##name##_set(p.name, word, value);                                           \
         break;
 #include "models.h"
 #undef BRDF_MODEL
     default:
         break;
     }
+    return p;
 }
 
 /* f(wo, wi) [1/sr], without the cosine. */
