@@ -100,7 +100,8 @@ static void opencl_equals_c(void **state)
         skip();
     }
     cl_program program;
-    if (opencl_build(device, 0, program_text, "trace.cl", "", &program, &error) != BRDF_OK) {
+    const struct opencl_materials none = {0};
+    if (opencl_build(device, &none, program_text, "trace.cl", "", &program, &error) != BRDF_OK) {
         fail_msg("%s", error.message);
     }
     cl_int status;

@@ -142,7 +142,9 @@ static void run_layout(struct brdfcl_device *device, cl_uint places[PLACES])
     cl_mem buffer = NULL;
     cl_int status;
     size_t one = 1;
-    if (opencl_build(device, OPENCL_MODEL(0), layout_text, "layout", "", &program, &error) ||
+    struct opencl_materials materials = {0};
+    opencl_materials_add(&materials, 0, 0);
+    if (opencl_build(device, &materials, layout_text, "layout", "", &program, &error) ||
         opencl_buffer(device, PLACES * sizeof(cl_uint), &buffer, &error)) {
         fail_msg("%s", error.message);
     }

@@ -6,7 +6,8 @@
  * (brdf_real, one or three each) in the order of the list; that order is the whole format.
  *
  * Where the tag and the choices are constants, the switches below fold away and what is left is a
- * direct call of the model: kernels are specialised that way.
+ * direct call of the model: kernels are specialised that way. What choices.h knows of the choices
+ * is put in before the call, so that the folding is done once and not by each kernel.
  */
 #ifndef BRDF_MODEL_H
 #define BRDF_MODEL_H
@@ -17,6 +18,8 @@
 
 /* First reading of the list: the models themselves, and their tags in the order of the list. */
 #include "models.h"
+
+#include "choices.h"
 
 enum brdf_model_tag {
 #define BRDF_MODEL(name, NAME, flags, summary, reference) BRDF_MODEL_##NAME,
@@ -55,53 +58,32 @@ union brdf_parameters {
 typedef union brdf_parameters brdf_parameters;
 
 /*
- * One value for all lanes from each word, one int from each 4 bits: a model's struct, filled.
- * Member by member, not in a loop over them: compilers keep a struct in registers, and know its
- * choices to be the constants that they are, only while nothing indexes into it.
+ * Of each model: its struct from a material, with one value of a parameter replaced, and with what
+ * choices.h knows put in. One without parameters uses none of the arguments.
  */
-#define BRDF_LOAD(kind, name, initial, low, high, unit, meaning) BRDF_LOAD_##kind(name)
-#define BRDF_LOAD_CHOICE(name)                                                                     \
-    p.name = (int)(choices & 15u);                                                                 \
-    choices >>= 4;
-#define BRDF_LOAD_REAL(name) p.name = *word++;
-#define BRDF_LOAD_COLOR(name)                                                                      \
-    p.name = brdf_rgb_make(word[0], word[1], word[2]);                                             \
-    word += 3;
-#define BRDF_LOAD_ALIAS(name)
-#define BRDF_LOAD_METAL(name)
-#define BRDF_LOAD_FILE(name)
-
-/* Replace the value of word number `at`. */
-#define BRDF_SET(kind, name, initial, low, high, unit, meaning) BRDF_SET_##kind(name)
-#define BRDF_SET_CHOICE(name)
-#define BRDF_SET_REAL(name)                                                                        \
-    p.name = at == 0 ? value : p.name;                                                             \
-    at -= 1;
-#define BRDF_SET_COLOR(name)                                                                       \
-    p.name.r = at == 0 ? value : p.name.r;                                                         \
-    p.name.g = at == 1 ? value : p.name.g;                                                         \
-    p.name.b = at == 2 ? value : p.name.b;                                                         \
-    at -= 3;
-#define BRDF_SET_ALIAS(name)
-#define BRDF_SET_METAL(name)
-#define BRDF_SET_FILE(name)
-
-/* Both of them for each model. One without parameters uses none of the arguments. */
-#define BRDF_MODEL(model, NAME, flags, summary, reference)                                         \
-    static inline struct brdf_##model brdf_##model##_load(unsigned choices,                        \
-                                                          BRDF_GLOBAL const float *word)           \
+#define BRDF_MODEL(name, NAME, flags, summary, reference)                                          \
+    static inline struct brdf_##name brdf_##name##_load(unsigned choices,                          \
+                                                        BRDF_GLOBAL const float *word)             \
     {                                                                                              \
-        struct brdf_##model p;                                                                     \
+        struct brdf_##name p;                                                                      \
         (void)choices;                                                                             \
         (void)word;                                                                                \
         BRDF_##NAME##_PARAMETERS(BRDF_LOAD) return p;                                              \
     }                                                                                              \
-    static inline struct brdf_##model brdf_##model##_set(struct brdf_##model p, int at,            \
-                                                         brdf_real value)                          \
+    static inline struct brdf_##name brdf_##name##_set(struct brdf_##name p, int at,               \
+                                                       brdf_real value)                            \
     {                                                                                              \
         (void)at;                                                                                  \
         (void)value;                                                                               \
         BRDF_##NAME##_PARAMETERS(BRDF_SET) return p;                                               \
+    }                                                                                              \
+    static inline struct brdf_##name brdf_##name##_know(struct brdf_##name p)                      \
+    {                                                                                              \
+        unsigned known = (unsigned)BRDF_##NAME##_KNOWN;                                            \
+        unsigned chosen = (unsigned)BRDF_##NAME##_CHOSEN;                                          \
+        (void)known;                                                                               \
+        (void)chosen;                                                                              \
+        BRDF_##NAME##_PARAMETERS(BRDF_KNOW) return p;                                              \
     }
 #include "models.h"
 #undef BRDF_MODEL
@@ -148,7 +130,7 @@ static inline brdf_rgb brdf_model_eval(unsigned model, brdf_parameters p, brdf_v
     switch (model) {
 #define BRDF_MODEL(name, NAME, flags, summary, reference)                                          \
     case BRDF_MODEL_##NAME:                                                                        \
-        return brdf_##name##_eval(p.name, wo, wi, table);
+        return brdf_##name##_eval(brdf_##name##_know(p.name), wo, wi, table);
 #include "models.h"
 #undef BRDF_MODEL
     default:
@@ -163,7 +145,7 @@ static inline brdf_real brdf_model_pdf(unsigned model, brdf_parameters p, brdf_v
     switch (model) {
 #define BRDF_MODEL(name, NAME, flags, summary, reference)                                          \
     case BRDF_MODEL_##NAME:                                                                        \
-        return brdf_##name##_pdf(p.name, wo, wi, table);
+        return brdf_##name##_pdf(brdf_##name##_know(p.name), wo, wi, table);
 #include "models.h"
 #undef BRDF_MODEL
     default:
@@ -178,7 +160,7 @@ static inline struct brdf_sample brdf_model_sample(unsigned model, brdf_paramete
     switch (model) {
 #define BRDF_MODEL(name, NAME, flags, summary, reference)                                          \
     case BRDF_MODEL_##NAME:                                                                        \
-        return brdf_##name##_sample(p.name, wo, u, table);
+        return brdf_##name##_sample(brdf_##name##_know(p.name), wo, u, table);
 #include "models.h"
 #undef BRDF_MODEL
     default:

@@ -47,6 +47,50 @@
 #define BRDF_PLUS_WORDS_METAL
 #define BRDF_PLUS_WORDS_FILE
 
+/*
+ * "LIST(BRDF_LOAD)" fills the struct `p` from the bits `choices` and from `word`, one value for all
+ * lanes. Member by member, not in a loop over them: compilers keep a struct in registers, and know
+ * its choices to be the constants that they are, only while nothing indexes into it.
+ */
+#define BRDF_LOAD(kind, name, initial, low, high, unit, meaning) BRDF_LOAD_##kind(name)
+#define BRDF_LOAD_CHOICE(name)                                                                     \
+    p.name = (int)(choices & 15u);                                                                 \
+    choices >>= 4;
+#define BRDF_LOAD_REAL(name) p.name = *word++;
+#define BRDF_LOAD_COLOR(name)                                                                      \
+    p.name = brdf_rgb_make(word[0], word[1], word[2]);                                             \
+    word += 3;
+#define BRDF_LOAD_ALIAS(name)
+#define BRDF_LOAD_METAL(name)
+#define BRDF_LOAD_FILE(name)
+
+/* "LIST(BRDF_SET)" puts `value` into the member of `p` that is word number `at`. */
+#define BRDF_SET(kind, name, initial, low, high, unit, meaning) BRDF_SET_##kind(name)
+#define BRDF_SET_CHOICE(name)
+#define BRDF_SET_REAL(name)                                                                        \
+    p.name = at == 0 ? value : p.name;                                                             \
+    at -= 1;
+#define BRDF_SET_COLOR(name)                                                                       \
+    p.name.r = at == 0 ? value : p.name.r;                                                         \
+    p.name.g = at == 1 ? value : p.name.g;                                                         \
+    p.name.b = at == 2 ? value : p.name.b;                                                         \
+    at -= 3;
+#define BRDF_SET_ALIAS(name)
+#define BRDF_SET_METAL(name)
+#define BRDF_SET_FILE(name)
+
+/* "LIST(BRDF_KNOW)" replaces the choices of `p` that have bits in `known` by those of `chosen`. */
+#define BRDF_KNOW(kind, name, initial, low, high, unit, meaning) BRDF_KNOW_##kind(name)
+#define BRDF_KNOW_CHOICE(name)                                                                     \
+    p.name = known & 15u ? (int)(chosen & 15u) : p.name;                                           \
+    known >>= 4;                                                                                   \
+    chosen >>= 4;
+#define BRDF_KNOW_REAL(name)
+#define BRDF_KNOW_COLOR(name)
+#define BRDF_KNOW_ALIAS(name)
+#define BRDF_KNOW_METAL(name)
+#define BRDF_KNOW_FILE(name)
+
 /* What a model is, as bits; each model's announcement line at the end of its file states them. */
 #define BRDF_REFLECTION 1u /* scatters to wo's side */
 #define BRDF_TRANSMISSION                                                                          \

@@ -78,9 +78,10 @@ brdf_status check_device_build(struct check_device *check, const struct brdf_mat
     snprintf(options, sizeof options, "-DCHECK_MODEL=%s -DCHECK_FLAGS=%uu -DCHECK_CHOICES=%uu",
              opencl_model_tag(material->model), material->flags, material->choices);
     release_program(check);
-    brdf_status status =
-        opencl_build(check->device, OPENCL_MODEL(material->model),
-                     "#include \"kernels/check.cl\"\n", "check", options, &check->program, error);
+    struct opencl_materials materials = {0};
+    opencl_materials_add(&materials, material->model, material->choices);
+    brdf_status status = opencl_build(check->device, &materials, "#include \"kernels/check.cl\"\n",
+                                      "check", options, &check->program, error);
     if (!status) {
         cl_int cl;
         check->kernel = clCreateKernel(check->program, "check", &cl);

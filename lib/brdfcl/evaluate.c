@@ -55,9 +55,11 @@ static brdf_status build(struct brdfcl_evaluator *evaluator, const struct brdf_m
     snprintf(options, sizeof options,
              "-DEVALUATE_MODEL=%s -DEVALUATE_FLAGS=%uu -DEVALUATE_CHOICES=%uu",
              opencl_model_tag(material->model), material->flags, material->choices);
-    brdf_status status = opencl_build(evaluator->device, OPENCL_MODEL(material->model),
-                                      "#include \"kernels/evaluate.cl\"\n", "evaluate", options,
-                                      &evaluator->program, error);
+    struct opencl_materials materials = {0};
+    opencl_materials_add(&materials, material->model, material->choices);
+    brdf_status status =
+        opencl_build(evaluator->device, &materials, "#include \"kernels/evaluate.cl\"\n",
+                     "evaluate", options, &evaluator->program, error);
     for (int i = 0; i < OPERATIONS && !status; ++i) {
         cl_int cl;
         evaluator->kernel[i] = clCreateKernel(evaluator->program, names[i], &cl);

@@ -70,13 +70,13 @@ static brdf_status build_failed(struct brdfcl_device *device, cl_program program
     return BRDF_DEVICE;
 }
 
-brdf_status opencl_build(struct brdfcl_device *device, opencl_models models, const char *text,
-                         const char *text_name, const char *options, cl_program *program,
-                         struct brdf_error *error)
+brdf_status opencl_build(struct brdfcl_device *device, const struct opencl_materials *materials,
+                         const char *text, const char *text_name, const char *options,
+                         cl_program *program, struct brdf_error *error)
 {
     *program = NULL;
     char *expanded = NULL;
-    brdf_status result = opencl_expand(models, text, text_name, &expanded, error);
+    brdf_status result = opencl_expand(materials, text, text_name, &expanded, error);
     if (result != BRDF_OK) {
         return result;
     }

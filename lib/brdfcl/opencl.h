@@ -7,6 +7,7 @@
 #define CL_TARGET_OPENCL_VERSION 120
 #include <CL/cl.h>
 
+#include <brdf/model.h>
 #include <brdfcl/device.h>
 
 struct brdfcl_device {
@@ -30,9 +31,15 @@ const char *opencl_status_name(cl_int status);
  */
 brdf_status opencl_check(cl_int status, const char *call, struct brdf_error *error);
 
-/* The models that a program needs, a bit each by their tag. */
-typedef unsigned long long opencl_models;
-#define OPENCL_MODEL(tag) (1ull << (tag))
+/* The materials that a program is for; begin with {0} and add each. */
+struct opencl_materials {
+    struct {
+        int used;
+        unsigned known;  /* 4 bits of each choice that is the same in all materials of this model */
+        unsigned chosen; /* those choices, as in struct brdf_material */
+    } model[BRDF_MODEL_COUNT];
+};
+void opencl_materials_add(struct opencl_materials *materials, unsigned model, unsigned choices);
 
 /* The name of a model's tag in a program, "BRDF_MODEL_DIFFUSE": its number depends on the program.
  */
@@ -41,16 +48,17 @@ const char *opencl_model_tag(unsigned model);
 /*
  * Build a program from text: quoted includes of shared headers and kernels are expanded, the lanes
  * and the flags of bit-exactness are set; `options` adds to them. The list of models that it sees
- * has only those in `models`, so that a program with one model compiles as fast as if there were no
- * others. Build errors carry the compiler's log, whose places are those of the source files.
+ * has only those of `materials`, and of their choices the program knows which are the same in all
+ * materials (brdf/choices.h): what nobody uses costs no time to compile. Build errors carry the
+ * compiler's log, whose places are those of the source files.
  */
-brdf_status opencl_build(struct brdfcl_device *device, opencl_models models, const char *text,
-                         const char *text_name, const char *options, cl_program *program,
-                         struct brdf_error *error);
+brdf_status opencl_build(struct brdfcl_device *device, const struct opencl_materials *materials,
+                         const char *text, const char *text_name, const char *options,
+                         cl_program *program, struct brdf_error *error);
 
 /* The text of such a program; *out is malloc'd. */
-brdf_status opencl_expand(opencl_models models, const char *text, const char *text_name, char **out,
-                          struct brdf_error *error);
+brdf_status opencl_expand(const struct opencl_materials *materials, const char *text,
+                          const char *text_name, char **out, struct brdf_error *error);
 
 /*
  * A buffer over host memory: the same bytes on a processor (no copy where the memory is aligned to

@@ -62,12 +62,14 @@ static brdf_status build(struct wavefront *wave, struct brdf_error *error)
     if (!text) {
         return brdf_fail(error, BRDF_OUT_OF_MEMORY, "out of memory for the kernels' text");
     }
-    opencl_models models = 0;
+    struct opencl_materials materials = {0};
     for (int v = 0; v < world->settings.variant_count - 1; ++v) {
-        models |= world->variants[v].through ? 0 : OPENCL_MODEL(world->variants[v].model);
+        if (!world->variants[v].through) {
+            opencl_materials_add(&materials, world->variants[v].model, world->variants[v].choices);
+        }
     }
     brdf_status status =
-        opencl_build(wave->device, models, text, "wavefront", options, &wave->program, error);
+        opencl_build(wave->device, &materials, text, "wavefront", options, &wave->program, error);
     free(text);
     return status;
 }
