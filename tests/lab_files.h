@@ -8,6 +8,7 @@
 
 #include "bake.h"
 #include "merl_bake.h"
+#include "support_place.h"
 
 /* The table of a description; ends the test if there is none. */
 static inline struct brdf_merl_file lab_test_bake(const char *description)
@@ -30,20 +31,17 @@ static inline struct brdf_bsdf *lab_test_through(const struct brdf_merl_file *me
                                                  const struct brdf_rgl_file *rgl,
                                                  const char *settings)
 {
-    char *folder = test_folder_make();
-    char path[4200], description[4400];
+    struct place place;
+    char description[600];
     struct brdf_bsdf *bsdf = NULL;
     struct brdf_error error = {BRDF_OK, ""};
-    assert_non_null(folder);
-    snprintf(path, sizeof path, "%s/measurement", folder);
+    assert_int_equal(place_make(&place, "measurement"), 0);
     snprintf(description, sizeof description, "%s:filename=\"%s\",%s", merl ? "merl" : "measured",
-             path, settings);
+             place.path, settings);
     brdf_status status =
-        merl ? brdf_merl_write(path, merl, &error) : brdf_rgl_write(path, rgl, &error);
+        merl ? brdf_merl_write(place.path, merl, &error) : brdf_rgl_write(place.path, rgl, &error);
     status = status ? status : brdf_bsdf_create(description, &bsdf, &error);
-    unlink(path);
-    rmdir(folder);
-    free(folder);
+    place_remove(&place);
     if (status) {
         fail_msg("%s", error.message);
     }

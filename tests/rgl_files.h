@@ -16,6 +16,7 @@
 
 #include "merl_bake.h"
 #include "support_bsdf.h"
+#include "support_place.h"
 
 /* The bsdf at `data` in RGB; per wavelength its green, rising from 0 at 360 nm to 1 at 830 nm. */
 static inline void rgl_test_values(const double wo[3], const double wi[3], int channels,
@@ -28,6 +29,10 @@ static inline void rgl_test_values(const double wo[3], const double wi[3], int c
         values[i] = wavelengths ? rgb[1] * ((double)wavelengths[i] - 360.0) / 470.0 : rgb[i];
     }
 }
+
+/* The smallest honest grid: a file of a few hundred bytes. */
+static const struct brdf_rgl_grid rgl_test_tiny = {
+    .thetas = 2, .normals = 4, .size = 2, .description = "tiny"};
 
 /* A file's values of a material; ends the test if there are none. */
 static inline struct brdf_rgl_file rgl_test_make(const char *description,
@@ -46,18 +51,14 @@ static inline struct brdf_rgl_file rgl_test_make(const char *description,
 /* The values as the model measured, through a file. */
 static inline struct brdf_bsdf *rgl_test_load(const struct brdf_rgl_file *file)
 {
-    char *folder = test_folder_make();
-    char path[4200];
+    struct place place;
     struct brdf_bsdf *bsdf = NULL;
     struct brdf_error error = {BRDF_OK, ""};
-    assert_non_null(folder);
-    snprintf(path, sizeof path, "%s/material.bsdf", folder);
-    struct brdf_setting setting = brdf_setting_text("filename", path);
-    brdf_status status = brdf_rgl_write(path, file, &error);
+    assert_int_equal(place_make(&place, "material.bsdf"), 0);
+    struct brdf_setting setting = brdf_setting_text("filename", place.path);
+    brdf_status status = brdf_rgl_write(place.path, file, &error);
     status = status ? status : brdf_bsdf_create_from("measured", &setting, 1, &bsdf, &error);
-    unlink(path);
-    rmdir(folder);
-    free(folder);
+    place_remove(&place);
     if (status) {
         fail_msg("%s", error.message);
     }

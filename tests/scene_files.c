@@ -1,6 +1,7 @@
 /* scene_files.c - scenes in a temporary folder. */
 #define _POSIX_C_SOURCE 200809L
 #include "scene_files.h"
+#include "support_place.h"
 
 #include <math.h>
 #include <unistd.h>
@@ -8,17 +9,15 @@
 #define FILES_MAX 64
 #define PATH_SIZE 512
 
-static char folder[256];
+static struct place place;
 static char written[FILES_MAX][PATH_SIZE];
 static int written_count;
 
 int scene_files_open(void **state)
 {
-    const char *parent = getenv("TMPDIR");
     (void)state;
     written_count = 0;
-    snprintf(folder, sizeof folder, "%s/test_scene.XXXXXX", parent ? parent : "/tmp");
-    return mkdtemp(folder) ? 0 : -1;
+    return place_make(&place, "nothing");
 }
 
 int scene_files_close(void **state)
@@ -27,13 +26,13 @@ int scene_files_close(void **state)
     for (int i = 0; i < written_count; ++i) {
         unlink(written[i]);
     }
-    return rmdir(folder);
+    return place_remove(&place);
 }
 
 static const char *path_of(const char *name)
 {
     char path[PATH_SIZE];
-    snprintf(path, sizeof path, "%s/%s", folder, name);
+    snprintf(path, sizeof path, "%s/%s", place.folder, name);
     for (int i = 0; i < written_count; ++i) {
         if (strcmp(written[i], path) == 0) {
             return written[i];

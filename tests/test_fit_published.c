@@ -18,6 +18,7 @@
 #include "merl_bake.h"
 #include "open.h"
 #include "support_bsdf.h"
+#include "support_place.h"
 
 struct published {
     const char *file;
@@ -119,19 +120,16 @@ static void compare(const struct brdf_bsdf *target, const char *model, int diffu
 static struct brdf_bsdf *target_open(const char *name)
 {
     const char *data = getenv("BRDFCL_DATA") ? getenv("BRDFCL_DATA") : "../shared/data";
-    char command[9000], path[4200];
+    char command[5000];
     struct brdf_bsdf *bsdf = NULL;
-    char *folder = test_folder_make();
-    assert_non_null(folder);
-    snprintf(path, sizeof path, "%s/%s.binary", folder, name);
+    struct place place;
+    assert_int_equal(place_make(&place, "measurement.binary"), 0);
     snprintf(command, sizeof command, "xz -dc '%s/merl/%s.binary.xz' > '%s' 2>/dev/null", data,
-             name, path);
+             name, place.path);
     if (system(command) == 0) {
-        assert_int_equal(lab_open(path, &bsdf, NULL, NULL), BRDF_OK);
+        assert_int_equal(lab_open(place.path, &bsdf, NULL, NULL), BRDF_OK);
     }
-    remove(path);
-    remove(folder);
-    free(folder);
+    place_remove(&place);
     return bsdf;
 }
 

@@ -3,6 +3,7 @@
 #define _POSIX_C_SOURCE 200809L
 
 #include "image_samples.h"
+#include "support_place.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -10,27 +11,25 @@
 
 #include <brdfcl/image.h>
 
-static char folder[256];
+static struct place place;
 static char path_buffer[512];
 
 static const char *in_folder(const char *name)
 {
-    snprintf(path_buffer, sizeof path_buffer, "%s/%s", folder, name);
+    snprintf(path_buffer, sizeof path_buffer, "%s/%s", place.folder, name);
     return path_buffer;
 }
 
 static int make_folder(void **state)
 {
-    const char *parent = getenv("TMPDIR");
     (void)state;
-    snprintf(folder, sizeof folder, "%s/test_image.XXXXXX", parent ? parent : "/tmp");
-    return mkdtemp(folder) ? 0 : -1;
+    return place_make(&place, "nothing");
 }
 
 static int remove_folder(void **state)
 {
     (void)state;
-    return rmdir(folder);
+    return place_remove(&place);
 }
 
 /* Values that a careless writer would change: signs, denormals, infinities, NaN with a payload. */

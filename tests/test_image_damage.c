@@ -5,31 +5,26 @@
 #define _POSIX_C_SOURCE 200809L
 
 #include "image_samples.h"
+#include "support_place.h"
 
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <brdfcl/image.h>
 
-static char folder[256];
-static char path[512];
+static struct place place;
+static const char *const path = place.path;
 
 static int make_folder(void **state)
 {
-    const char *parent = getenv("TMPDIR");
     (void)state;
-    snprintf(folder, sizeof folder, "%s/test_image_damage.XXXXXX", parent ? parent : "/tmp");
-    if (!mkdtemp(folder))
-        return -1;
-    snprintf(path, sizeof path, "%s/damaged", folder);
-    return 0;
+    return place_make(&place, "damaged");
 }
 
 static int remove_folder(void **state)
 {
     (void)state;
-    unlink(path);
-    return rmdir(folder);
+    return place_remove(&place);
 }
 
 static void put(const void *bytes, size_t size)
@@ -69,7 +64,7 @@ static void no_image_at_all(void **state)
 {
     (void)state;
     check_refused(BRDF_IO, "/nonexistent/folder/x.exr", "No such file");
-    check_refused(BRDF_IO, folder, "is a folder");
+    check_refused(BRDF_IO, place.folder, "is a folder");
     check_refused(BRDF_IO, "/dev/null", "not an ordinary file");
     put("", 0);
     check_refused(BRDF_BAD_FILE, path, "is empty");

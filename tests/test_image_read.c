@@ -2,31 +2,26 @@
 #define _POSIX_C_SOURCE 200809L
 
 #include "image_samples.h"
+#include "support_place.h"
 
 #include <math.h>
 #include <unistd.h>
 
 #include <brdfcl/image.h>
 
-static char folder[256];
-static char path[512];
+static struct place place;
+static const char *const path = place.path;
 
 static int make_folder(void **state)
 {
-    const char *parent = getenv("TMPDIR");
     (void)state;
-    snprintf(folder, sizeof folder, "%s/test_image_read.XXXXXX", parent ? parent : "/tmp");
-    if (!mkdtemp(folder))
-        return -1;
-    snprintf(path, sizeof path, "%s/a picture of no suffix", folder);
-    return 0;
+    return place_make(&place, "a picture of no suffix");
 }
 
 static int remove_folder(void **state)
 {
     (void)state;
-    unlink(path);
-    return rmdir(folder);
+    return place_remove(&place);
 }
 
 /* A sample of 16 x 13 pixels with its corner at 0, 0. */

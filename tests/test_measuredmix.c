@@ -38,27 +38,24 @@ static struct brdf_bsdf *create(const char *model, const struct brdf_setting *se
 static int trio_make(void **state)
 {
     struct trio *trio = calloc(1, sizeof *trio);
-    char *folder = test_folder_make();
-    char path[2][4200];
+    struct place place[2];
     *state = trio;
     for (int k = 0; k < 2; ++k) {
         struct brdf_merl_file file = lab_test_bake(descriptions[k]);
-        snprintf(path[k], sizeof path[k], "%s/%d", folder, k);
-        assert_int_equal(brdf_merl_write(path[k], &file, NULL), BRDF_OK);
+        assert_int_equal(place_make(&place[k], k ? "1" : "0"), 0);
+        assert_int_equal(brdf_merl_write(place[k].path, &file, NULL), BRDF_OK);
         brdf_merl_free(&file);
-        struct brdf_setting setting = brdf_setting_text("filename", path[k]);
+        struct brdf_setting setting = brdf_setting_text("filename", place[k].path);
         trio->part[k] = create("merl", &setting, 1);
     }
     for (int k = 0; k < 3; ++k) {
-        const struct brdf_setting settings[] = {brdf_setting_text("filename_a", path[0]),
-                                                brdf_setting_text("filename_b", path[1]),
+        const struct brdf_setting settings[] = {brdf_setting_text("filename_a", place[0].path),
+                                                brdf_setting_text("filename_b", place[1].path),
                                                 brdf_setting_real("weight", shares[k])};
         trio->mix[k] = create("measuredmix", settings, 3);
     }
-    unlink(path[0]);
-    unlink(path[1]);
-    rmdir(folder);
-    free(folder);
+    place_remove(&place[0]);
+    place_remove(&place[1]);
     return trio->part[0] && trio->part[1] && trio->mix[0] && trio->mix[1] && trio->mix[2] ? 0 : -1;
 }
 
