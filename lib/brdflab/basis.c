@@ -12,10 +12,10 @@
 
 #include <lapacke.h>
 
+#include "basis_traits.h"
 #include "bins.h"
 #include "complete.h"
 #include "logrelative.h"
-#include "open.h"
 
 /* The sub-grid: all of theta_h, where highlights are, and every third and sixth degree of the
    rest. */
@@ -59,11 +59,7 @@ static brdf_status material_read(struct lab_basis *basis, const char *material, 
                                  struct brdf_error *error)
 {
     struct brdf_merl_file file;
-    enum lab_format format;
-    brdf_status status = lab_open_merl(material, &file, &format, error);
-    if (!status) {
-        status = lab_complete_merl(&file, 1, error);
-    }
+    brdf_status status = lab_complete_open(material, &file, error);
     if (!status && !basis->vector) {
         basis->dimensions = vector_make(&file, NULL);
         basis->vector = malloc(basis->count * basis->dimensions * sizeof *basis->vector);
@@ -159,36 +155,6 @@ static brdf_status components_find(struct lab_basis *basis, struct brdf_error *e
     return status;
 }
 
-/*
- * How traits change with coordinates: linear regression. The coordinates have mean 0, variance 1
- * and no correlation over the set, so each slope is one inner product.
- */
-static void traits_regress(struct lab_basis *basis)
-{
-    size_t n = basis->count, components = (size_t)basis->components;
-    for (int t = 0; t < LAB_TRAITS; ++t) {
-        double mean = 0.0, square = 0.0, explained = 0.0;
-        for (size_t i = 0; i < n; ++i) {
-            mean += basis->trait[i][t] / (double)n;
-        }
-        for (size_t i = 0; i < n; ++i) {
-            double off = basis->trait[i][t] - mean;
-            square += off * off / (double)(n - 1);
-        }
-        for (size_t k = 0; k < components; ++k) {
-            double slope = 0.0;
-            for (size_t i = 0; i < n; ++i) {
-                slope += basis->coordinate[i * components + k] * (basis->trait[i][t] - mean) /
-                         (double)(n - 1);
-            }
-            basis->slope[k][t] = slope;
-            explained += slope * slope;
-        }
-        basis->trait_deviation[t] = sqrt(square);
-        basis->trait_explained[t] = square > 0.0 ? explained / square : 0.0;
-    }
-}
-
 static brdf_status basis_fill(struct lab_basis *basis, const char *const *materials,
                               lab_basis_progress *progress, void *data, struct brdf_error *error)
 {
@@ -204,7 +170,7 @@ static brdf_status basis_fill(struct lab_basis *basis, const char *const *materi
     take_off_mean(basis);
     brdf_status status = components_find(basis, error);
     if (!status) {
-        traits_regress(basis);
+        basis_traits_regress(basis);
     }
     return status;
 }
@@ -292,19 +258,4 @@ brdf_status lab_basis_project(const struct lab_basis *basis, const struct brdf_m
     }
     free(vector);
     return BRDF_OK;
-}
-
-int lab_basis_step(const struct lab_basis *basis, enum lab_trait trait, double amount, double *step)
-{
-    double square = 0.0;
-    for (int k = 0; k < basis->components; ++k) {
-        square += basis->slope[k][trait] * basis->slope[k][trait];
-    }
-    if (!(square > 0.0)) {
-        return 0;
-    }
-    for (int k = 0; k < basis->components; ++k) {
-        step[k] += amount * basis->trait_deviation[trait] * basis->slope[k][trait] / square;
-    }
-    return 1;
 }

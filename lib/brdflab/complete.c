@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "bins.h"
+#include "open.h"
 
 static int bin_is_above(const struct brdf_merl_file *file, size_t bin)
 {
@@ -31,5 +32,19 @@ brdf_status lab_complete_merl(struct brdf_merl_file *file, int fill, struct brdf
         }
     }
     free(filled.rgb);
+    return status;
+}
+
+brdf_status lab_complete_open(const char *text, struct brdf_merl_file *file,
+                              struct brdf_error *error)
+{
+    enum lab_format format;
+    brdf_status status = lab_open_merl(text, file, &format, error);
+    if (status == BRDF_OK) {
+        status = lab_complete_merl(file, 1, error);
+    }
+    if (status) {
+        brdf_merl_free(file);
+    }
     return status;
 }

@@ -13,4 +13,11 @@
  */
 brdf_status lab_complete_merl(struct brdf_merl_file *file, int fill, struct brdf_error *error);
 
+/*
+ * What the text names as a table (open.h), its unmeasured bins filled so; for brdf_merl_free.
+ * Errors: those of lab_open_merl and lab_complete_merl; then nothing is to be freed.
+ */
+brdf_status lab_complete_open(const char *text, struct brdf_merl_file *file,
+                              struct brdf_error *error);
+
 #endif

@@ -10,7 +10,6 @@
 #include "bins.h"
 #include "complete.h"
 #include "logrelative.h"
-#include "open.h"
 
 /* The sum so far, one for each value of a table, and the cosines of its bins (0: below). */
 struct sum {
@@ -41,11 +40,7 @@ static brdf_status sum_add(struct sum *sum, const char *material, double weight,
                            struct brdf_error *error)
 {
     struct brdf_merl_file file;
-    enum lab_format format;
-    brdf_status status = lab_open_merl(material, &file, &format, error);
-    if (!status) {
-        status = lab_complete_merl(&file, 1, error);
-    }
+    brdf_status status = lab_complete_open(material, &file, error);
     for (size_t bin = 0; bin < sum->bins && !status; ++bin) {
         for (size_t c = 0; c < 3 && sum->cosine[bin] > 0.0f; ++c) {
             double f = fmax((double)file.rgb[3 * bin + c], 0.0);
