@@ -1,6 +1,5 @@
 /*
- * test_models_delta.c - lobes of a single direction: their probabilities, their way back, and what
- * exact Fresnel says of a smooth dielectric.
+ * test_models_delta.c - lobes of a single direction: their probabilities and their way back.
  */
 #include <math.h>
 #include <setjmp.h>
@@ -182,128 +181,12 @@ static void lobes_are_reciprocal(void **state)
     models_verdict(cases);
 }
 
-/* Fresnel's equations in angles, another form than that of the library [Born and Wolf, 1.5.2]. */
-static double fresnel(double cosine, double eta)
-{
-    double incident = acos(cosine);
-    double sine = sin(incident) / eta;
-    if (sine >= 1.0) {
-        return 1.0;
-    }
-    if (incident < 1e-6) {
-        return pow((eta - 1.0) / (eta + 1.0), 2.0);
-    }
-    double refracted = asin(sine);
-    double s = sin(incident - refracted) / sin(incident + refracted);
-    double p = tan(incident - refracted) / tan(incident + refracted);
-    return 0.5 * (s * s + p * p);
-}
-
-static struct brdf_bsdf *glass(double eta)
-{
-    struct brdf_setting settings[] = {brdf_setting_real("int_ior", (float)eta),
-                                      brdf_setting_real("ext_ior", 1.0f)};
-    struct brdf_bsdf *bsdf;
-    struct brdf_error error;
-    if (brdf_bsdf_create_from("dielectric", settings, 2, &bsdf, &error)) {
-        fail_msg("%s", error.message);
-    }
-    return bsdf;
-}
-
-/* What is reflected, and what passes with the scaling of radiance undone. */
-static void reflected_and_passed(const struct brdf_bsdf *bsdf, double cosine, double *reflected,
-                                 double *passed)
-{
-    float radius = (float)sqrt(1.0 - cosine * cosine);
-    struct lobes found =
-        find_lobes(bsdf, brdf_vec3_make(0.6f * radius, 0.8f * radius, (float)cosine));
-    *reflected = 0.0;
-    *passed = 0.0;
-    for (int i = 0; i < found.count; ++i) {
-        struct brdf_sample s = found.lobe[i];
-        double c = (double)coefficient(s);
-        if (((double)s.wi.z > 0.0) == (cosine > 0.0)) {
-            *reflected += c;
-        } else {
-            *passed += c * (double)s.eta * (double)s.eta;
-        }
-    }
-}
-
-static void dielectric_is_fresnel_and_loses_nothing(void **state)
-{
-    (void)state;
-    static const double etas[] = {1.33, 1.5, 2.419, 0.7};
-    for (size_t k = 0; k < sizeof etas / sizeof etas[0]; ++k) {
-        struct brdf_bsdf *bsdf = glass(etas[k]);
-        for (int i = -50; i <= 50; ++i) {
-            double cosine = i / 50.0;
-            double reflected;
-            double passed;
-            if (i == 0) {
-                continue;
-            }
-            reflected_and_passed(bsdf, cosine, &reflected, &passed);
-            double exact = fresnel(fabs(cosine), cosine > 0.0 ? etas[k] : 1.0 / etas[k]);
-            /* A lobe that comes up less often than once in STEPS may not have been found. */
-            double lost = 1.0 / STEPS;
-            if (!(fabs(reflected - exact) <= (exact < lost ? lost : 2e-5)) ||
-                !(fabs(reflected + passed - 1.0) <= lost)) {
-                fail_msg("eta %g, cos %g: R = %.6f, T = %.6f, exact R = %.6f", etas[k], cosine,
-                         reflected, passed, exact);
-            }
-        }
-        brdf_bsdf_destroy(bsdf);
-    }
-}
-
-/* Means of R over the hemisphere, 2 R cos dcos, from outside and inside: known to six digits. */
-static void dielectric_has_its_mean_reflectance(void **state)
-{
-    (void)state;
-    static const struct {
-        double eta;
-        double outside;
-        double inside;
-    } rows[] = {{1.33, .065931, .471949}, {1.49, .090306, .590246}, {1.5, .091778, .596346},
-                {1.6, .106246, .650877},  {1.8, .134054, .732733},  {2.0, .160597, .790149},
-                {2.419, .212423, .865407}};
-    for (size_t k = 0; k < sizeof rows / sizeof rows[0]; ++k) {
-        struct brdf_bsdf *bsdf = glass(rows[k].eta);
-        double mean[2] = {0.0, 0.0};
-        int count = 20000;
-        for (int i = 0; i < count; ++i) {
-            float cosine = ((float)i + 0.5f) / (float)count;
-            float radius = sqrtf(1.0f - cosine * cosine);
-            for (int side = 0; side < 2; ++side) {
-                brdf_vec3 wo = brdf_vec3_make(radius, 0.0f, side ? -cosine : cosine);
-                struct brdf_sample s =
-                    brdf_sample(bsdf, wo, brdf_vec3_make(0.5f, 0.5f, 0.0f)); /* reflects */
-                assert_true(s.eta == 1.0f);
-                mean[side] += 2.0 * (double)coefficient(s) * (double)cosine / count;
-            }
-        }
-        if (!(fabs(mean[0] - rows[k].outside) <= 3e-6) ||
-            !(fabs(mean[1] - rows[k].inside) <= 3e-6)) {
-            fail_msg("eta %g: %.6f outside (known %.6f), %.6f inside (known %.6f)", rows[k].eta,
-                     mean[0], rows[k].outside, mean[1], rows[k].inside);
-        }
-        brdf_bsdf_destroy(bsdf);
-    }
-}
-
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(dielectric_is_fresnel_and_loses_nothing),
-        cmocka_unit_test(dielectric_has_its_mean_reflectance),
-    };
     const struct model_check checks[] = {
         {"f and pdf of delta lobes are 0", values_are_zero, BRDF_DELTA, 0},
         {"delta lobes come up as often as they say", probabilities_hold, 0, 0},
         {"delta lobes are reciprocal", lobes_are_reciprocal, BRDF_RECIPROCAL, 0},
     };
-    int failures = cmocka_run_group_tests_name("smooth dielectric", tests, NULL, NULL);
-    return failures + models_run(checks, sizeof checks / sizeof checks[0]);
+    return models_run(checks, sizeof checks / sizeof checks[0]);
 }

@@ -14,8 +14,6 @@
 
 #include <cmocka.h>
 
-#include <brdf/interface.h>
-
 #include "support_bsdf.h"
 #include "support_models.h"
 
@@ -169,50 +167,6 @@ static void rough_dielectric_passes_as_much_both_ways(void **state)
     brdf_bsdf_destroy(bsdf);
 }
 
-/* Means over the hemisphere, from quadratures made apart from this project's code. */
-static void mean_reflectance_is_known(void **state)
-{
-    (void)state;
-    static const struct {
-        double eta;
-        double outside;
-        double inside;
-    } rows[] = {{1.33, .065931, .471949}, {1.49, .090306, .590246}, {1.5, .091778, .596346},
-                {1.6, .106246, .650877},  {1.8, .134054, .732733},  {2.0, .160597, .790149},
-                {2.419, .212423, .865407}};
-    for (size_t k = 0; k < sizeof rows / sizeof rows[0]; ++k) {
-        float eta = (float)rows[k].eta;
-        double outside = 1.0 - (double)brdf_interface_pass(eta);
-        double inside = 1.0 - (double)brdf_interface_pass(1.0f / eta);
-        if (!(fabs(outside - rows[k].outside) <= 2e-6) ||
-            !(fabs(inside - rows[k].inside) <= 2e-6)) {
-            fail_msg("eta %g: %.6f outside (known %.6f), %.6f inside (known %.6f)", rows[k].eta,
-                     outside, rows[k].outside, inside, rows[k].inside);
-        }
-    }
-}
-
-/* The closed form against the mean of Fresnel's equations, where its terms would cancel as well. */
-static void mean_reflectance_is_the_mean(void **state)
-{
-    (void)state;
-    static const float etas[] = {0.01f, 0.5f,  0.99f, 1.0f, 1.001f,
-                                 1.05f, 2.07f, 2.08f, 4.0f, 100.0f};
-    int count = 1 << 18;
-    for (size_t k = 0; k < sizeof etas / sizeof etas[0]; ++k) {
-        double mean = 0.0;
-        for (int i = 0; i < count; ++i) {
-            float cosine = ((float)i + 0.5f) / (float)count;
-            double one = (double)brdf_fresnel_dielectric(cosine, etas[k]).reflectance;
-            mean += 2.0 * one * (double)cosine / count;
-        }
-        double closed = 1.0 - (double)brdf_interface_pass(etas[k]);
-        if (!(fabs(closed - mean) <= 5e-6)) {
-            fail_msg("eta %g: closed form %.7f, mean %.7f", (double)etas[k], closed, mean);
-        }
-    }
-}
-
 /* A base of albedo 1 reflects everything, whatever the index and however its colours shift. */
 static void white_plastic_loses_nothing(void **state)
 {
@@ -323,8 +277,6 @@ int main(void)
         cmocka_unit_test(rough_dielectric_sends_what_is_known),
         cmocka_unit_test(rough_dielectric_passes_as_much_both_ways),
         cmocka_unit_test(no_interface_without_a_difference),
-        cmocka_unit_test(mean_reflectance_is_known),
-        cmocka_unit_test(mean_reflectance_is_the_mean),
         cmocka_unit_test(white_plastic_loses_nothing),
         cmocka_unit_test(grey_plastic_is_the_series),
     };
