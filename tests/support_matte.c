@@ -17,14 +17,6 @@
 
 static const double pi = 3.14159265358979323846;
 
-const double matte_cosines[MATTE_COSINES] = {0.1, 0.25, 0.5, 0.75, 1.0};
-
-brdf_vec3 matte_direction(double cosine, double phi)
-{
-    double radius = sqrt((1.0 - cosine) * (1.0 + cosine));
-    return brdf_vec3_make((float)(radius * cos(phi)), (float)(radius * sin(phi)), (float)cosine);
-}
-
 /* The midpoint rule over cosines from low to high, and half a turn in two pieces: Oren-Nayar has
    creases at a quarter turn and where both cosines are equal. */
 static double panel(const struct brdf_bsdf *bsdf, brdf_vec3 wo, double low, double high, int count)
@@ -34,7 +26,7 @@ static double panel(const struct brdf_bsdf *bsdf, brdf_vec3 wo, double low, doub
         double z = low + (high - low) * (i + 0.5) / count;
         for (int j = 0; j < 2 * count; ++j) {
             double phi = pi * (j + 0.5) / (2 * count);
-            sum += z * (double)brdf_eval(bsdf, wo, matte_direction(z, phi)).g;
+            sum += z * (double)brdf_eval(bsdf, wo, energy_direction(z, phi)).g;
         }
     }
     return sum * (high - low) / count * pi / count;
@@ -43,7 +35,7 @@ static double panel(const struct brdf_bsdf *bsdf, brdf_vec3 wo, double low, doub
 /* The albedo for light from the cosine mu; isotropic models only. */
 double matte_albedo(const struct brdf_bsdf *bsdf, double mu, int count)
 {
-    brdf_vec3 wo = matte_direction(mu, 0.0);
+    brdf_vec3 wo = energy_direction(mu, 0.0);
     return panel(bsdf, wo, 0.0, mu, count) + panel(bsdf, wo, mu, 1.0, count);
 }
 
@@ -53,7 +45,7 @@ double matte_albedo_by_sampling(const struct brdf_bsdf *bsdf, double mu)
     double sum = 0.0;
     for (size_t i = 0; i < count; ++i) {
         brdf_vec3 u = models_even_point(i, count);
-        sum += (double)brdf_sample(bsdf, matte_direction(mu, 0.0), u).weight.g;
+        sum += (double)brdf_sample(bsdf, energy_direction(mu, 0.0), u).weight.g;
     }
     return sum / (double)count;
 }
@@ -68,13 +60,13 @@ int matte_expect(const char *what, double mu, double found, double known, double
 }
 
 /* The albedo at all five cosines, by quadrature and by sampling. */
-int matte_expect_albedos(const char *description, const double known[MATTE_COSINES],
+int matte_expect_albedos(const char *description, const double known[ENERGY_COSINES],
                          double tolerance)
 {
     struct brdf_bsdf *bsdf = bsdf_make(description);
     int failures = 0;
-    for (int i = 0; i < MATTE_COSINES; ++i) {
-        double mu = matte_cosines[i];
+    for (int i = 0; i < ENERGY_COSINES; ++i) {
+        double mu = energy_cosines[i];
         failures += matte_expect(description, mu, matte_albedo(bsdf, mu, 64), known[i], tolerance);
         failures +=
             matte_expect(description, mu, matte_albedo_by_sampling(bsdf, mu), known[i], 1e-3);

@@ -7,15 +7,7 @@
 #ifndef SUPPORT_MATTE_H
 #define SUPPORT_MATTE_H
 
-#include <brdf/material.h>
-
-enum { MATTE_COSINES = 5 };
-
-/* The cosines of light that known albedos are for: 0.1, 0.25, 0.5, 0.75, 1. */
-extern const double matte_cosines[MATTE_COSINES];
-
-/* A direction by its cosine with the normal and its azimuth [rad]. */
-brdf_vec3 matte_direction(double cosine, double phi);
+#include "support_energy.h"
 
 /* The albedo (green channel) for light from the cosine mu, on a grid of count x 2 count twice. */
 double matte_albedo(const struct brdf_bsdf *bsdf, double mu, int count);
@@ -25,7 +17,7 @@ double matte_albedo_by_sampling(const struct brdf_bsdf *bsdf, double mu);
 int matte_expect(const char *what, double mu, double found, double known, double tolerance);
 
 /* The albedo at all five cosines, by quadrature and by sampling; the number of failures. */
-int matte_expect_albedos(const char *description, const double known[MATTE_COSINES],
+int matte_expect_albedos(const char *description, const double known[ENERGY_COSINES],
                          double tolerance);
 
 #endif

@@ -26,9 +26,9 @@ static const double pi = 3.14159265358979323846;
 static void lommel_seeliger_albedos(void **state)
 {
     (void)state;
-    double known[MATTE_COSINES];
-    for (int i = 0; i < MATTE_COSINES; ++i) {
-        known[i] = 0.5 * (1.0 - matte_cosines[i] * log(1.0 + 1.0 / matte_cosines[i]));
+    double known[ENERGY_COSINES];
+    for (int i = 0; i < ENERGY_COSINES; ++i) {
+        known[i] = 0.5 * (1.0 - energy_cosines[i] * log(1.0 + 1.0 / energy_cosines[i]));
     }
     assert_int_equal(matte_expect_albedos("lommelseeliger:albedo=1", known, 1e-4), 0);
 }
@@ -121,8 +121,8 @@ static void hapke_as_in_the_papers(void **state)
             double i = 1.55 * (double)u.x + 0.01;
             double e = 1.55 * (double)u.y + 0.01;
             double psi = pi * (double)u.z;
-            brdf_vec3 wo = matte_direction(cos(e), 0.4);
-            brdf_vec3 wi = matte_direction(cos(i), n % 2 ? 0.4 + psi : 0.4 - psi);
+            brdf_vec3 wo = energy_direction(cos(e), 0.4);
+            brdf_vec3 wi = energy_direction(cos(i), n % 2 ? 0.4 + psi : 0.4 - psi);
             double known = hapke_f(p, i, e, psi);
             double found = (double)brdf_eval(bsdf, wo, wi).g;
             double off = fabs(found - known) / known;
@@ -170,12 +170,12 @@ static void hapke_of_white_grains(void **state)
     int failures = 0;
     for (int k = 0; k < 2; ++k) {
         struct brdf_bsdf *bsdf = bsdf_make(some[k].description);
-        brdf_vec3 up = matte_direction(1.0, 0.0);
+        brdf_vec3 up = energy_direction(1.0, 0.0);
         double h = sqrt(8.0 * pi * (double)brdf_eval(bsdf, up, up).g);
         failures += matte_expect("H", 1.0, h, 2.9078, 2.9078 * some[k].error);
-        for (int i = 0; i < MATTE_COSINES; ++i) {
-            double found = matte_albedo(bsdf, matte_cosines[i], 64);
-            failures += matte_expect(some[k].description, matte_cosines[i], found, 1.0,
+        for (int i = 0; i < ENERGY_COSINES; ++i) {
+            double found = matte_albedo(bsdf, energy_cosines[i], 64);
+            failures += matte_expect(some[k].description, energy_cosines[i], found, 1.0,
                                      2.0 * some[k].error);
         }
         brdf_bsdf_destroy(bsdf);
@@ -190,8 +190,8 @@ static void hapke_surge(void **state)
     (void)state;
     struct brdf_bsdf *flat = bsdf_make("hapke:w=1e-4,b=0,theta=0,B_0=0");
     struct brdf_bsdf *surge = bsdf_make("hapke:w=1e-4,b=0,theta=0,B_0=0.6,h=0.1");
-    brdf_vec3 up = matte_direction(1.0, 0.0);
-    brdf_vec3 off = matte_direction(cos(2.0 * atan(0.1)), 1.0);
+    brdf_vec3 up = energy_direction(1.0, 0.0);
+    brdf_vec3 off = energy_direction(cos(2.0 * atan(0.1)), 1.0);
     double at_0 = (double)(brdf_eval(surge, up, up).g / brdf_eval(flat, up, up).g);
     double at_h = (double)(brdf_eval(surge, up, off).g / brdf_eval(flat, up, off).g);
     assert_true(fabs(at_0 - 1.6) < 1e-3);

@@ -26,7 +26,7 @@ static void oren_nayar_of_1994(void **state)
     (void)state;
     static const struct {
         const char *description;
-        double albedo[MATTE_COSINES];
+        double albedo[ENERGY_COSINES];
     } known[] = {
         {"orennayar:reflectance=1,variant=qualitative,sigma=10",
          {1.0108, 1.0041, .9917, .9783, .9577}},
@@ -56,12 +56,12 @@ static double fujii_albedo(double mu, double r)
 static void fujii_albedos(void **state)
 {
     (void)state;
-    static const double roughest[MATTE_COSINES] = {.974307, .933386, .865320, .807855, .776522};
+    static const double roughest[ENERGY_COSINES] = {.974307, .933386, .865320, .807855, .776522};
     int failures =
         matte_expect_albedos("orennayar:reflectance=1,variant=fujii,roughness=1", roughest, 1e-4);
-    for (int i = 0; i < MATTE_COSINES; ++i) {
-        failures += matte_expect("closed form", matte_cosines[i],
-                                 fujii_albedo(matte_cosines[i], 1.0), roughest[i], 1e-6);
+    for (int i = 0; i < ENERGY_COSINES; ++i) {
+        failures += matte_expect("closed form", energy_cosines[i],
+                                 fujii_albedo(energy_cosines[i], 1.0), roughest[i], 1e-6);
     }
     static const double averages[] = {.949786, .905890, .867188, .832811};
     for (int k = 0; k < 4; ++k) {
@@ -107,11 +107,11 @@ static void eon_keeps_everything(void **state)
 static void eon_albedo_of_gray(void **state)
 {
     (void)state;
-    double known[MATTE_COSINES];
+    double known[ENERGY_COSINES];
     double rho = 0.5;
     double average = .832811;
-    for (int i = 0; i < MATTE_COSINES; ++i) {
-        double e = fujii_albedo(matte_cosines[i], 1.0);
+    for (int i = 0; i < ENERGY_COSINES; ++i) {
+        double e = fujii_albedo(energy_cosines[i], 1.0);
         known[i] = rho * e + rho * rho * average / (1.0 - rho * (1.0 - average)) * (1.0 - e);
     }
     assert_int_equal(matte_expect_albedos("orennayar:reflectance=0.5,roughness=1", known, 1e-4), 0);
@@ -143,7 +143,7 @@ static void smooth_is_lambert(void **state)
 static double variance(const struct brdf_bsdf *bsdf, double mu, int by_cosine, double *most)
 {
     size_t count = 1 << 14;
-    brdf_vec3 wo = matte_direction(mu, 0.0);
+    brdf_vec3 wo = energy_direction(mu, 0.0);
     double sum = 0.0;
     double squares = 0.0;
     *most = 0.0;
