@@ -5,7 +5,6 @@
 #define TEST_RGL_FILES_H
 
 #include <math.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,6 +13,7 @@
 #include <brdf/material.h>
 #include <brdf/rgl.h>
 
+#include "check_random.h"
 #include "merl_bake.h"
 #include "support_bsdf.h"
 #include "support_place.h"
@@ -65,27 +65,18 @@ static inline struct brdf_bsdf *rgl_test_load(const struct brdf_rgl_file *file)
     return bsdf;
 }
 
-/* Uniform numbers of 24 bits from a counter (SplitMix64): the tests are the same on every run. */
-static inline float rgl_test_uniform(uint64_t *state)
+static inline brdf_vec3 rgl_test_cube(struct brdfcl_random *random)
 {
-    uint64_t z = (*state += 0x9e3779b97f4a7c15u);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return (float)((z ^ (z >> 31)) >> 40) * 0x1p-24f;
-}
-
-static inline brdf_vec3 rgl_test_cube(uint64_t *state)
-{
-    float x = rgl_test_uniform(state);
-    float y = rgl_test_uniform(state);
-    return brdf_vec3_make(x, y, rgl_test_uniform(state));
+    float x = brdfcl_random_uniform(random);
+    float y = brdfcl_random_uniform(random);
+    return brdf_vec3_make(x, y, brdfcl_random_uniform(random));
 }
 
 /* A direction above the surface, uniform in solid angle, its cosine at least `least`. */
-static inline brdf_vec3 rgl_test_direction(uint64_t *state, double least)
+static inline brdf_vec3 rgl_test_direction(struct brdfcl_random *random, double least)
 {
-    double z = least + (1.0 - least) * (double)rgl_test_uniform(state);
-    double phi = 2.0 * TEST_PI * (double)rgl_test_uniform(state);
+    double z = least + (1.0 - least) * (double)brdfcl_random_uniform(random);
+    double phi = 2.0 * TEST_PI * (double)brdfcl_random_uniform(random);
     double r = sqrt(1.0 - z * z);
     return brdf_vec3_make((float)(r * cos(phi)), (float)(r * sin(phi)), (float)z);
 }

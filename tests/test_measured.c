@@ -61,7 +61,7 @@ struct fidelity {
 static struct fidelity fidelity_of(const struct brdf_bsdf *made, const char *original)
 {
     struct brdf_bsdf *truth = bsdf_make(original);
-    uint64_t random = 1;
+    struct brdfcl_random random = {1};
     double all = 0.0, sum = 0.0, off = 0.0;
     for (int i = 0; i < 50000; ++i) {
         brdf_vec3 wo = rgl_test_direction(&random, 0.05);
@@ -148,7 +148,7 @@ static void spectra_become_colours(void **state)
 static void warps_are_inverted(void **state)
 {
     struct measured *m = *state;
-    uint64_t random = 2;
+    struct brdfcl_random random = {2};
     const struct brdf_bsdf *materials[2] = {m->glossy, m->brushed};
     for (int i = 0; i < 100000; ++i) {
         size_t words;
@@ -173,7 +173,7 @@ static void warps_are_inverted(void **state)
 static void symmetries_hold(void **state)
 {
     struct measured *m = *state;
-    uint64_t random = 3;
+    struct brdfcl_random random = {3};
     double asymmetric = 0.0;
     for (int i = 0; i < 50000; ++i) {
         brdf_vec3 wo = rgl_test_direction(&random, 0.0);
@@ -213,7 +213,7 @@ static void opencl_gives_the_same_bits(void **state)
     static float in[6][COUNT], f[3][COUNT], pdf[COUNT];
     struct brdfcl_device *device = NULL;
     struct brdfcl_evaluator *evaluator = NULL;
-    uint64_t random = 6;
+    struct brdfcl_random random = {6};
     if (brdfcl_device_open(NULL, 0, 0, &device, NULL)) {
         print_message("    skipped, no OpenCL device\n");
         skip();
@@ -264,7 +264,7 @@ static void published_files_have_their_albedos(void **state)
         struct brdf_bsdf *bsdf = NULL;
         struct brdf_setting setting = brdf_setting_text("filename", path);
         assert_int_equal(brdf_bsdf_create_from("measured", &setting, 1, &bsdf, NULL), BRDF_OK);
-        uint64_t random = 7;
+        struct brdfcl_random random = {7};
         double sum[3] = {0.0, 0.0, 0.0};
         brdf_vec3 wo = brdf_vec3_make(0.5f, 0.0f, 0.866025404f);
         for (int i = 0; i < COUNT; ++i) {

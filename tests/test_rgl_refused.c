@@ -199,12 +199,12 @@ static void bad_values_are_refused(void **state)
 static void changed_bytes_do_no_harm(void **state)
 {
     struct damage *damage = *state;
-    uint64_t random = 3;
+    struct brdfcl_random random = {3};
     size_t accepted = 0;
     for (int i = 0; i < 4000; ++i) {
         struct brdf_rgl_file file;
-        size_t at = (size_t)((double)rgl_test_uniform(&random) * (double)damage->size);
-        unsigned char byte = (unsigned char)(256.0 * (double)rgl_test_uniform(&random));
+        size_t at = (size_t)((double)brdfcl_random_uniform(&random) * (double)damage->size);
+        unsigned char byte = (unsigned char)(256.0 * (double)brdfcl_random_uniform(&random));
         patched(damage, NULL, at, &byte, 1);
         struct brdf_bsdf *bsdf = NULL;
         struct brdf_setting setting = brdf_setting_text("filename", damage->place.path);

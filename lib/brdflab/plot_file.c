@@ -1,38 +1,30 @@
 /* plot_file.c - PNG and SVG through cairo's streams. */
+#define _POSIX_C_SOURCE 200809L
+
 #include "plot_file.h"
 
 #include <math.h>
 #include <string.h>
+#include <strings.h>
 
 #include <cairo-svg.h>
 
 #include "plot.h"
 
-/* 0 PNG, 1 SVG, -1 another. */
-static int suffix_of(const char *path)
+static int has_suffix(const char *path, const char *suffix)
 {
     const char *dot = strrchr(path, '.');
-    static const char *const suffix[2] = {".png", ".svg"};
-    for (int i = 0; dot && i < 2; ++i) {
-        size_t k = 0;
-        while (dot[k] && (dot[k] | 0x20) == (suffix[i][k] | 0x20)) {
-            ++k;
-        }
-        if (!dot[k] && !suffix[i][k]) {
-            return i;
-        }
-    }
-    return -1;
+    return dot && strcasecmp(dot, suffix) == 0;
 }
 
 int plot_file_is_svg(const char *path)
 {
-    return suffix_of(path) == 1;
+    return has_suffix(path, ".svg");
 }
 
 brdf_status lab_plot_path_check(const char *path, struct brdf_error *error)
 {
-    if (suffix_of(path) < 0) {
+    if (!has_suffix(path, ".png") && !plot_file_is_svg(path)) {
         return brdf_fail(error, BRDF_UNSUPPORTED, "\"%s\": a plot is a .png or a .svg file", path);
     }
     return brdfcl_atomic_check(path, error);
