@@ -96,6 +96,9 @@ static void test_parameters_come_back(void **state)
     recovers("roughconductor:alpha=0.1,distribution=ggx,material=Cu",
              "roughconductor:distribution=ggx", NULL);
     recovers("orennayar:roughness=0.4,reflectance=0.3/0.6/0.9", "orennayar", NULL);
+    recovers("cooktorrance:alpha=0.2,eta=1.5,k=0,specular_reflectance=0.5/0.4/0.3,"
+             "diffuse_reflectance=0.3/0.1/0.05",
+             "cooktorrance", NULL);
     recovers("cooktorrance:alpha=0.2,eta=1.5,k=0,diffuse_reflectance=0.3/0.1/0.05",
              "cooktorrance:eta=2,k=0,specular_reflectance=1", "eta");
     recovers("torrancesparrow:distribution=beckmann,alpha=0.3,eta=1.8,k=0",

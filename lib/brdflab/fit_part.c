@@ -66,7 +66,7 @@ static int description_sets(const char *description, const struct brdf_model_inf
  * Held is what the description sets, and what nobody would search unless asked: the index outside,
  * since only its ratio to the one inside counts; and factors of the reflection of interfaces and
  * metals, whose indices set it already. (In cooktorrance the factor shares light between the lobe
- * and the diffuse part, and is searched.)
+ * and the diffuse part, and is searched: metal_find says what then becomes of the indices.)
  */
 static int is_searched(const struct fit_part *part, const char *description, const char *free_names,
                        const char *name)
@@ -160,6 +160,33 @@ static brdf_status check_free(const struct brdf_model_info *model, const char *n
     return BRDF_OK;
 }
 
+/*
+ * A metal's indices are searched together. Where the weight of the same lobe is searched as well,
+ * each channel would have three numbers for what it reflects; a measurement hardly tells more than
+ * one, and how that rises towards grazing. So the weight has the colour then, and the indices are
+ * those of a dielectric, the same for all channels, as in the published fits of Cook and Torrance's
+ * model, unless some of the three are asked for by name.
+ */
+static void metal_find(struct fit_part *part, const char *free_names)
+{
+    static const char *const names[] = {"eta", "k", "specular_reflectance"};
+    int setting[3], all = 1, freed = 0;
+    for (int i = 0; i < 3; ++i) {
+        setting[i] = fit_part_find(part, names[i]);
+        all &= setting[i] >= 0 && part->searched[setting[i]];
+        freed |= list_has(free_names, names[i]);
+    }
+    int both = setting[0] >= 0 && setting[1] >= 0 && part->searched[setting[0]] &&
+               part->searched[setting[1]];
+    part->eta = both ? setting[0] : -1;
+    part->k = both ? setting[1] : -1;
+    part->gray = all && !freed;
+    if (part->gray) {
+        part->settings[part->k] = brdf_setting_color("k", 0.0f, 0.0f, 0.0f);
+        part->searched[part->k] = 0;
+    }
+}
+
 static brdf_status part_fill(struct fit_part *part, const struct brdf_material *material,
                              const char *description, const struct lab_fit_options *options,
                              const char *free_names, struct brdf_error *error)
@@ -174,11 +201,7 @@ static brdf_status part_fill(struct fit_part *part, const struct brdf_material *
                             is_searched(part, description, free_names, name);
         part->tied_to[i] = options->anisotropic ? -1 : tie_of(part, i);
     }
-    int eta = fit_part_find(part, "eta");
-    int k = fit_part_find(part, "k");
-    int both = eta >= 0 && k >= 0 && part->searched[eta] && part->searched[k];
-    part->eta = both ? eta : -1;
-    part->k = both ? k : -1;
+    metal_find(part, free_names);
     return status;
 }
 

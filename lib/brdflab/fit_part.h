@@ -17,8 +17,10 @@ struct fit_part {
     int searched[FIT_SETTINGS];     /* 1: the fit is to find it */
     int tied_to[FIT_SETTINGS]; /* an earlier setting that an alias sets together with it, or -1 */
     int count;
-    int eta; /* the settings of a metal's indices, where both are searched; else -1 */
+    int eta; /* the settings of a metal's indices, where they are searched by reflectance; else -1
+              */
     int k;
+    int gray; /* 1: as one reflectance for all channels, and without k */
 };
 
 /* The part that the options' model stands for; of a diffuse part NULL is taken for the model. */

@@ -28,6 +28,8 @@ static double coordinate_value(const struct fit_coordinate *c, double t)
  * while eta and k of a bright metal can change by factors and hardly change the picture.
  */
 #define REFLECTANCE_MAX 0.9999
+#define REFLECTANCE_MAX_CLEAR 0.96 /* of an index of 99 that absorbs nothing; indices end at 100   \
+                                    */
 
 static void metal_of_reflectance(float *eta, float *k)
 {
@@ -35,6 +37,11 @@ static void metal_of_reflectance(float *eta, float *k)
         double r = (double)eta[c];
         double g = (double)k[c];
         double root = sqrt(r);
+        if (g <= 0.0) { /* of all indices with this reflectance the one that absorbs nothing */
+            eta[c] = (float)((1.0 + root) / (1.0 - root));
+            k[c] = 0.0f;
+            continue;
+        }
         double n = g * (1.0 - r) / (1.0 + r) + (1.0 - g) * (1.0 + root) / (1.0 - root);
         n = fmin(n, 100.0);
         double square = (r * (n + 1.0) * (n + 1.0) - (n - 1.0) * (n - 1.0)) / (1.0 - r);
@@ -61,7 +68,8 @@ static void add_coordinates(struct fit_space *space, int part, int setting)
 {
     const struct fit_part *from = &space->parts[part];
     const struct brdf_parameter_info *parameter = fit_part_info(from, setting);
-    int color = parameter->kind == BRDF_KIND_COLOR;
+    int gray = from->gray && setting == from->eta;
+    int color = parameter->kind == BRDF_KIND_COLOR && !gray;
     int metal = setting == from->eta || setting == from->k;
     for (int channel = 0; channel < (color ? 3 : 1) && space->size < FIT_COORDINATES; ++channel) {
         struct fit_coordinate *c = &space->coordinates[space->size++];
@@ -71,8 +79,12 @@ static void add_coordinates(struct fit_space *space, int part, int setting)
         c->tied = 1;
         c->channel = channel;
         c->color = color;
+        c->gray = gray;
         c->low = metal ? 0.0 : (double)parameter->low;
-        c->high = !metal ? (double)parameter->high : setting == from->eta ? REFLECTANCE_MAX : 1.0;
+        c->high = !metal                 ? (double)parameter->high
+                  : gray                 ? REFLECTANCE_MAX_CLEAR
+                  : setting == from->eta ? REFLECTANCE_MAX
+                                         : 1.0;
         c->even = metal;
     }
 }
@@ -110,7 +122,7 @@ static brdf_status part_add(struct fit_space *space, const char *model,
 static void weights_add(struct fit_space *space)
 {
     for (int i = 0; i + 1 < space->part_count; ++i) {
-        struct fit_coordinate c = {FIT_WEIGHT, {i}, 1, 0, 0, 0.0, 1.0, 1};
+        struct fit_coordinate c = {FIT_WEIGHT, {i}, 1, 0, 0, 0.0, 1.0, 1, 0};
         space->coordinates[space->size++] = c;
     }
 }
@@ -160,8 +172,11 @@ brdf_status fit_space_parts(const struct fit_space *space, const double *point,
     for (int i = 0; i < space->size; ++i) {
         const struct fit_coordinate *c = &space->coordinates[i];
         for (int k = 0; k < c->tied && c->part != FIT_WEIGHT; ++k) {
-            settings[c->part][c->settings[k]].number[c->channel] =
-                (float)coordinate_value(c, point[i]);
+            float *number = settings[c->part][c->settings[k]].number;
+            number[c->channel] = (float)coordinate_value(c, point[i]);
+            if (c->gray) {
+                number[1] = number[2] = number[0];
+            }
         }
     }
     for (int i = 0; i < space->part_count && !status; ++i) {

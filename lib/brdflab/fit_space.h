@@ -19,6 +19,7 @@ struct fit_coordinate {
     double low;
     double high;
     int even; /* all of the range alike; else low values in more detail */
+    int gray; /* it is all three of a colour's */
 };
 
 struct fit_space {
