@@ -1,11 +1,9 @@
 /*
  * render.c - a render from beginning to end: lay out the scene, run all passes, divide the sums.
  */
-#define _POSIX_C_SOURCE 200809L
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include "opencl.h"
 #include "render_job.h"
@@ -20,74 +18,6 @@
 #define POOL_CORE (1 << 15)
 #define POOL_OTHER (1 << 20)
 #define POOL_C (1 << 11)
-
-#define REPORT_SECONDS 0.1
-
-double render_now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
-/* The largest sweep that the samples still wanted allow, and that fits the pool. */
-static int next_sweep_bits(const struct render_job *job)
-{
-    int left = job->spp - job->first_sample;
-    int bits = SWEEP_BITS;
-    while (bits > 0 && ((1 << bits) > left || (1 << bits) > job->run_pixels)) {
-        --bits;
-    }
-    return bits;
-}
-
-int render_next_pass(struct render_job *job, int new_sweep, struct pt_pass *pass)
-{
-    if (job->first_pixel == job->pixels) {
-        if (!new_sweep || job->first_sample + (1 << job->sweep_bits) >= job->spp) {
-            return 0;
-        }
-        job->first_sample += 1 << job->sweep_bits;
-        job->first_pixel = 0;
-        job->sweep_bits = next_sweep_bits(job);
-    }
-    int run = job->run_pixels >> job->sweep_bits;
-    int left = job->pixels - job->first_pixel;
-    run = run < left ? run : left;
-    pass->first_pixel = job->first_pixel;
-    pass->first_sample = job->first_sample;
-    pass->sample_bits = job->sweep_bits;
-    pass->path_count = run << job->sweep_bits;
-    job->first_pixel += run;
-    return 1;
-}
-
-int render_has_pass(const struct render_job *job)
-{
-    return job->first_pixel < job->pixels || job->first_sample + (1 << job->sweep_bits) < job->spp;
-}
-
-void render_count(struct render_job *job, long long paths, unsigned rays, unsigned invalid)
-{
-    job->samples += paths;
-    job->result->rays += rays;
-    job->result->invalid += invalid;
-}
-
-int render_report(struct render_job *job)
-{
-    double now = render_now();
-    if (!job->options->progress || now - job->reported < REPORT_SECONDS) {
-        return 0;
-    }
-    job->reported = now;
-    struct brdfcl_progress progress;
-    progress.seconds = now - job->started;
-    progress.samples = job->samples;
-    progress.samples_all = (long long)job->pixels * job->spp;
-    progress.spp_done = (int)(job->samples / job->pixels);
-    return job->options->progress(job->options->context, &progress);
-}
 
 /* Sums to means; pixels before the place of a stop have the samples of the unfinished sweep too. */
 static brdf_status develop(struct render_job *job, struct brdf_error *error)
@@ -171,7 +101,7 @@ brdf_status brdfcl_render(const struct brdfcl_scene *scene,
     job.spp = scene->spp;
     int pool = choose_pool(options, pixels * scene->spp);
     job.run_pixels = pool;
-    job.sweep_bits = next_sweep_bits(&job);
+    render_sweep_begin(&job, 0);
 
     double began = render_now();
     int lanes = options->device ? options->device->lanes : 1;

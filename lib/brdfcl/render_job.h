@@ -36,6 +36,9 @@ struct render_job {
 /* Seconds of a clock that only goes forward. */
 double render_now(void);
 
+/* Start a sweep: the largest that the samples still wanted allow, and that fits the pool. */
+void render_sweep_begin(struct render_job *job, int first_sample);
+
 /* The next pass; 0 where there is none left. Starts a new sweep only where `new_sweep` is set, and
    returns 0 where it would have to. */
 int render_next_pass(struct render_job *job, int new_sweep, struct pt_pass *pass);

@@ -74,7 +74,10 @@ struct xml_node *scene_reference_target(const struct scene_loader *loader, struc
 struct xml_node *scene_object_next(const struct scene_loader *loader, const struct xml_node *parent,
                                    const char *tag, struct xml_node **child);
 
-/* --- scene_value.c: texts that are numbers --- */
+/* --- scene_value.c: texts that are numbers, paths or one of a list --- */
+
+/* Is `name` an item of a list such as "box|tent"? */
+int scene_list_has(const char *list, const char *name);
 
 /* The only number in a text, finite and within float's range. */
 brdf_status scene_value_number(const struct scene_loader *loader, const struct xml_node *node,
@@ -122,9 +125,6 @@ struct scene_slot {
    fail, and so do nested objects whose tag is not in `objects` (separated by "|"). */
 brdf_status scene_slots_read(const struct scene_loader *loader, struct xml_node *node,
                              struct scene_slot *slots, size_t count, const char *objects);
-
-/* Is `name` an item of a list such as "box|tent"? */
-int scene_list_has(const char *list, const char *name);
 
 /* Fail unless the string is one of the names. */
 brdf_status scene_slot_check(const struct scene_loader *loader, const struct scene_slot *slot,

@@ -15,19 +15,6 @@
    BT.709) summed. It is what a constant <spectrum> is as light. */
 static const double slot_equal_energy[3] = {1.204794, 0.948291, 0.908916};
 
-int scene_list_has(const char *list, const char *name)
-{
-    size_t length = strlen(name);
-    while (*list) {
-        size_t item = strcspn(list, "|");
-        if (item == length && strncmp(list, name, length) == 0) {
-            return 1;
-        }
-        list += item + (list[item] == '|');
-    }
-    return 0;
-}
-
 static brdf_status slot_fail_type(const struct scene_loader *loader, const struct xml_node *node,
                                   const struct scene_slot *slot, const char *tags)
 {

@@ -12,6 +12,19 @@
 #define VALUE_SPACES " \t\r\n"
 #define VALUE_SEPARATORS " \t\r\n,"
 
+int scene_list_has(const char *list, const char *name)
+{
+    size_t length = strlen(name);
+    while (*list) {
+        size_t item = strcspn(list, "|");
+        if (item == length && strncmp(list, name, length) == 0) {
+            return 1;
+        }
+        list += item + (list[item] == '|');
+    }
+    return 0;
+}
+
 /* A number of `length` characters: decimal digits only (strtod would also take nan, inf and hex).
  */
 static int value_parse(const char *text, size_t length, double *number)

@@ -7,6 +7,7 @@
 
 #include "bvh.h"
 #include "scene.h"
+#include "world_words.h"
 
 #include "kernels/path.h"
 
@@ -34,13 +35,6 @@ struct world {
     int sort_blocks;
 };
 
-/* A part of the scene array while it grows. */
-struct world_words {
-    float *words;
-    size_t count;
-    size_t capacity;
-};
-
 /*
  * Lay out a scene for renderers of `lanes` lanes and `pool` paths in flight (a multiple of 16).
  * Refers to the scene's measured tables, which must outlive the world.
@@ -51,13 +45,6 @@ void world_destroy(struct world *world);
 
 /* The first packet of each variant, to be written to the queue array at settings.variant_first. */
 void world_variant_first(const struct world *world, int lanes, int first[PT_MAX_VARIANTS]);
-
-/* Memory on 64 bytes, zeroed; to be freed by free(). NULL if there is none. */
-void *world_allocate(size_t bytes);
-
-/* Append `count` words (zeros if NULL) on the next 64 bytes; *at is their first word. */
-brdf_status world_append(struct world_words *words, const float *add, size_t count, int *at,
-                         struct brdf_error *error);
 
 /* The parts, each in a file of its own; they fill in their settings. */
 void world_camera(const struct brdfcl_scene *scene, struct pt_settings *settings);
@@ -84,14 +71,5 @@ int world_key(const struct brdfcl_scene *scene, int reference);
 /* The forks of a scene, as they are. */
 brdf_status world_forks(const struct brdfcl_scene *scene, struct world *world,
                         struct world_words *words, struct brdf_error *error);
-
-/* Relative luminance of linear Rec. 709, by which lights and pixels are chosen. */
-double world_luminance(const float *rgb);
-
-/* A CDF of count + 1 words from weights, from 0 to 1; uniform where all weights are 0. */
-void world_cdf(const double *weights, size_t count, float *cdf);
-
-/* Steps of a binary search among `count` bins. */
-int world_search_steps(int count);
 
 #endif
