@@ -3,8 +3,7 @@
 
 #include <math.h>
 
-#include <brdf/warp.h>
-
+#include "draw.h"
 #include "lattice.h"
 #include "tabulated.h"
 
@@ -80,29 +79,16 @@ static void point_add(struct sums *sums, struct lab_difference *result, brdf_rgb
     }
 }
 
-/* Every other wi is drawn from f, the rest by the cosine; both are weighted by the mixture. */
 static void incidence_add(struct sums *sums, struct lab_difference *result,
                           const struct brdf_bsdf *f, const struct brdf_bsdf *g, brdf_vec3 wo)
 {
     struct lab_lattice lattice = lab_lattice_make(3, 1);
     for (size_t i = 0; i < POINTS; ++i) {
-        float x = lab_lattice_at(&lattice, i, 0), y = lab_lattice_at(&lattice, i, 1);
-        brdf_vec3 wi = brdf_warp_cosine(x, y);
-        if (i % 2 == 1) {
-            struct brdf_sample sample =
-                brdf_sample(f, wo, brdf_vec3_make(x, y, lab_lattice_at(&lattice, i, 2)));
-            if (sample.pdf <= 0.0f || sample.delta) {
-                continue;
-            }
-            wi = sample.wi;
+        struct lab_draw draw = lab_draw_make(f, wo, i, lab_lattice_cube(&lattice, i));
+        if (draw.weight > 0.0) {
+            point_add(sums, result, brdf_eval(f, wo, draw.wi), brdf_eval(g, wo, draw.wi), wo,
+                      draw.wi, draw.weight / POINTS);
         }
-        if (wi.z <= 0.0f) {
-            continue;
-        }
-        double cosine = (double)wi.z;
-        double density = 0.5 * cosine / pi + 0.5 * (double)brdf_pdf(f, wo, wi);
-        point_add(sums, result, brdf_eval(f, wo, wi), brdf_eval(g, wo, wi), wo, wi,
-                  cosine / (density * POINTS));
     }
 }
 

@@ -7,6 +7,7 @@
 #include <brdf/warp.h>
 
 #include "albedo.h"
+#include "draw.h"
 #include "lattice.h"
 
 static const double pi = 3.14159265358979323846;
@@ -39,33 +40,23 @@ static void albedos_find(const struct brdf_bsdf *bsdf, struct lab_survey *survey
     memcpy(survey->albedo_diffuse, all.reflection, sizeof survey->albedo_diffuse);
 }
 
-/* Half of the pairs are drawn from the material, so that highlights are not missed. */
 double lab_reciprocity(const struct brdf_bsdf *bsdf)
 {
     struct lab_lattice lattice = lab_lattice_make(5, 3);
     double difference = 0.0, sum = 0.0;
     for (size_t i = 0; i < PAIRS; ++i) {
-        float x = lab_lattice_at(&lattice, i, 2), y = lab_lattice_at(&lattice, i, 3);
         brdf_vec3 wo =
             brdf_warp_cosine(lab_lattice_at(&lattice, i, 0), lab_lattice_at(&lattice, i, 1));
-        brdf_vec3 wi = brdf_warp_cosine(x, y);
-        if (i % 2 == 1) {
-            struct brdf_sample sample =
-                brdf_sample(bsdf, wo, brdf_vec3_make(x, y, lab_lattice_at(&lattice, i, 4)));
-            if (sample.pdf <= 0.0f || sample.delta) {
-                continue;
-            }
-            wi = sample.wi;
+        brdf_vec3 u = brdf_vec3_make(lab_lattice_at(&lattice, i, 2), lab_lattice_at(&lattice, i, 3),
+                                     lab_lattice_at(&lattice, i, 4));
+        struct lab_draw draw = lab_draw_make(bsdf, wo, i, u);
+        if (wo.z > 0.0f && draw.weight > 0.0) {
+            brdf_rgb f = brdf_eval(bsdf, wo, draw.wi), g = brdf_eval(bsdf, draw.wi, wo);
+            difference +=
+                draw.weight * (fabs((double)f.r - (double)g.r) + fabs((double)f.g - (double)g.g) +
+                               fabs((double)f.b - (double)g.b));
+            sum += draw.weight * ((double)f.r + (double)f.g + (double)f.b);
         }
-        if (wi.z <= 0.0f || wo.z <= 0.0f) {
-            continue;
-        }
-        double cosine = (double)wi.z;
-        double weight = cosine / (0.5 * cosine / pi + 0.5 * (double)brdf_pdf(bsdf, wo, wi));
-        brdf_rgb f = brdf_eval(bsdf, wo, wi), g = brdf_eval(bsdf, wi, wo);
-        difference += weight * (fabs((double)f.r - (double)g.r) + fabs((double)f.g - (double)g.g) +
-                                fabs((double)f.b - (double)g.b));
-        sum += weight * ((double)f.r + (double)f.g + (double)f.b);
     }
     return sum > 0.0 ? difference / sum : 0.0;
 }
