@@ -20,6 +20,23 @@
 #include <OpenEXR/ImfCRgbaFile.h>
 #include <png.h>
 
+#include "support_place.h"
+
+/* The place of a test program's files: its setup and teardown. */
+static struct place place;
+
+static inline int make_folder(void **state)
+{
+    (void)state;
+    return place_make(&place, "a picture of no suffix");
+}
+
+static inline int remove_folder(void **state)
+{
+    (void)state;
+    return place_remove(&place);
+}
+
 #define SAMPLE_CHANNELS 8
 
 /* Exactly half, float and (for whole numbers) uint: channel 0 counts pixels, the others add to it.

@@ -1,5 +1,6 @@
 /*
- * merl_bytes.h - MERL files byte by byte: sparse ones of zeros, and values put into them.
+ * merl_bytes.h - MERL files byte by byte: a place for one, sparse ones of zeros, and values put
+ * into them.
  */
 #ifndef TEST_MERL_BYTES_H
 #define TEST_MERL_BYTES_H
@@ -9,7 +10,26 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "support_place.h"
+
 enum { MERL_BYTES = 34992012, FULL_TURN_BYTES = 69984012 };
+
+/* The place of a test's file; each has its own. */
+static struct place place;
+
+static inline int merl_test_setup(void **state)
+{
+    (void)state;
+    return place_make(&place, "material.binary");
+}
+
+static inline int merl_test_teardown(void **state)
+{
+    (void)state;
+    return place_remove(&place);
+}
+
+#define MERL_TEST(name) cmocka_unit_test_setup_teardown(name, merl_test_setup, merl_test_teardown)
 
 /* A file of a header and, sparsely, zeros: a valid black material if the numbers are MERL's. */
 static inline void merl_test_zeros(const char *path, int theta_h, int theta_d, int phi_d, long size)

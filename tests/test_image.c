@@ -3,7 +3,6 @@
 #define _POSIX_C_SOURCE 200809L
 
 #include "image_samples.h"
-#include "support_place.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -11,25 +10,12 @@
 
 #include <brdfcl/image.h>
 
-static struct place place;
 static char path_buffer[512];
 
 static const char *in_folder(const char *name)
 {
     snprintf(path_buffer, sizeof path_buffer, "%s/%s", place.folder, name);
     return path_buffer;
-}
-
-static int make_folder(void **state)
-{
-    (void)state;
-    return place_make(&place, "nothing");
-}
-
-static int remove_folder(void **state)
-{
-    (void)state;
-    return place_remove(&place);
 }
 
 /* Values that a careless writer would change: signs, denormals, infinities, NaN with a payload. */

@@ -5,27 +5,13 @@
 #define _POSIX_C_SOURCE 200809L
 
 #include "image_samples.h"
-#include "support_place.h"
 
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <brdfcl/image.h>
 
-static struct place place;
 static const char *const path = place.path;
-
-static int make_folder(void **state)
-{
-    (void)state;
-    return place_make(&place, "damaged");
-}
-
-static int remove_folder(void **state)
-{
-    (void)state;
-    return place_remove(&place);
-}
 
 static void put(const void *bytes, size_t size)
 {

@@ -2,27 +2,13 @@
 #define _POSIX_C_SOURCE 200809L
 
 #include "image_samples.h"
-#include "support_place.h"
 
 #include <math.h>
 #include <unistd.h>
 
 #include <brdfcl/image.h>
 
-static struct place place;
 static const char *const path = place.path;
-
-static int make_folder(void **state)
-{
-    (void)state;
-    return place_make(&place, "a picture of no suffix");
-}
-
-static int remove_folder(void **state)
-{
-    (void)state;
-    return place_remove(&place);
-}
 
 /* A sample of 16 x 13 pixels with its corner at 0, 0. */
 static struct exr_sample plain_sample(void)

@@ -15,23 +15,6 @@
 
 #include "merl_bake.h"
 #include "merl_bytes.h"
-#include "support_place.h"
-
-static struct place place;
-
-static int setup(void **state)
-{
-    (void)state;
-    return place_make(&place, "material.binary");
-}
-
-static int teardown(void **state)
-{
-    (void)state;
-    return place_remove(&place);
-}
-
-#define TEST(name) cmocka_unit_test_setup_teardown(name, setup, teardown)
 
 static void written_values_are_read_back(void **state)
 {
@@ -202,12 +185,12 @@ static void writing_is_whole_or_not_at_all(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        TEST(written_values_are_read_back),
-        TEST(values_lie_where_the_format_says),
-        TEST(invalid_bins_are_counted_and_filled),
-        TEST(empty_planes_are_filled_from_neighbours),
-        TEST(a_whole_turn_is_folded),
-        TEST(writing_is_whole_or_not_at_all),
+        MERL_TEST(written_values_are_read_back),
+        MERL_TEST(values_lie_where_the_format_says),
+        MERL_TEST(invalid_bins_are_counted_and_filled),
+        MERL_TEST(empty_planes_are_filled_from_neighbours),
+        MERL_TEST(a_whole_turn_is_folded),
+        MERL_TEST(writing_is_whole_or_not_at_all),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -15,23 +15,6 @@
 #include <brdf/merl.h>
 
 #include "merl_bytes.h"
-#include "support_place.h"
-
-static struct place place;
-
-static int setup(void **state)
-{
-    (void)state;
-    return place_make(&place, "material.binary");
-}
-
-static int teardown(void **state)
-{
-    (void)state;
-    return place_remove(&place);
-}
-
-#define TEST(name) cmocka_unit_test_setup_teardown(name, setup, teardown)
 
 static void expect_refusal(const char *path, brdf_status status, const char *words)
 {
@@ -107,9 +90,9 @@ static void other_things_than_files_are_refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        TEST(bad_sizes_and_headers_are_refused),
-        TEST(bad_values_are_refused),
-        TEST(other_things_than_files_are_refused),
+        MERL_TEST(bad_sizes_and_headers_are_refused),
+        MERL_TEST(bad_values_are_refused),
+        MERL_TEST(other_things_than_files_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
