@@ -1,5 +1,5 @@
 /*
- * merl_bake.h - analytic materials to bake into MERL tables, and places for the files.
+ * merl_bake.h - analytic materials to bake into MERL tables.
  */
 #ifndef TEST_MERL_BAKE_H
 #define TEST_MERL_BAKE_H
@@ -8,23 +8,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include <brdf/merl.h>
 
 #define TEST_PI 3.14159265358979323846
-
-/* A new folder under $TMPDIR; free the name, remove the folder. */
-static inline char *test_folder_make(void)
-{
-    const char *parent = getenv("TMPDIR");
-    char *name = malloc(4096);
-    if (name) {
-        snprintf(name, 4096, "%s/brdf-merl-XXXXXX", parent && *parent ? parent : "/tmp");
-        name = mkdtemp(name);
-    }
-    return name;
-}
 
 /* A gray Lambertian surface of the albedo at `data`. */
 static inline void test_lambert(const double wo[3], const double wi[3], double rgb[3], void *data)

@@ -1,15 +1,15 @@
 /*
- * merl_tables.h - baked tables for the tests of the model merl, and random directions.
+ * merl_tables.h - baked tables for the tests of the model merl.
  */
 #ifndef TEST_MERL_TABLES_H
 #define TEST_MERL_TABLES_H
-
-#include <stdint.h>
 
 #include <brdf/model/merl.h>
 
 #include "merl_bake.h"
 #include "merl_table.h"
+#include "random_vectors.h"
+#include "support_place.h"
 
 /* A baked table and the function that it was baked from; the group's state. */
 struct baked {
@@ -22,31 +22,6 @@ static const double gray_albedo = 0.5;
 static const double glossy_alpha = 0.3;
 static const double incidences[] = {0.0, 30.0, 60.0, 80.0, 88.0}; /* degrees */
 enum { INCIDENCES = sizeof incidences / sizeof incidences[0] };
-
-/* Uniform numbers of 24 bits from a counter (SplitMix64): the tests are the same on every run. */
-static inline float uniform(uint64_t *state)
-{
-    uint64_t z = (*state += 0x9e3779b97f4a7c15u);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return (float)((z ^ (z >> 31)) >> 40) * 0x1p-24f;
-}
-
-static inline brdf_vec3 uniform_vec3(uint64_t *state)
-{
-    brdf_vec3 u;
-    u.x = uniform(state);
-    u.y = uniform(state);
-    u.z = uniform(state);
-    return u;
-}
-
-/* A direction above the surface, uniform in solid angle. */
-static inline brdf_vec3 uniform_direction(uint64_t *state)
-{
-    float u = uniform(state), v = uniform(state);
-    return brdf_warp_sphere(0.5f * u, v);
-}
 
 static inline brdf_vec3 direction(double degrees)
 {
@@ -73,17 +48,15 @@ static inline float *bake(brdf_merl_function *f, double parameter)
     struct brdf_merl_file file;
     float *table = NULL;
     size_t words = 0;
-    char path[4200];
-    char *folder = test_folder_make();
-    snprintf(path, sizeof path, "%s/baked.binary", folder);
-    if (brdf_merl_make(f, &parameter, &file, NULL) == BRDF_OK &&
-        brdf_merl_write(path, &file, NULL) == BRDF_OK) {
-        brdf_merl_table_load(path, BRDF_MERL_INVALID_FILL, &table, &words, NULL);
+    struct place place;
+    if (place_make(&place, "baked.binary") == 0 &&
+        brdf_merl_make(f, &parameter, &file, NULL) == BRDF_OK) {
+        if (brdf_merl_write(place.path, &file, NULL) == BRDF_OK) {
+            brdf_merl_table_load(place.path, BRDF_MERL_INVALID_FILL, &table, &words, NULL);
+        }
+        brdf_merl_free(&file);
+        place_remove(&place);
     }
-    brdf_merl_free(&file);
-    unlink(path);
-    rmdir(folder);
-    free(folder);
     return words == BRDF_MERL_TABLE_WORDS ? table : NULL;
 }
 

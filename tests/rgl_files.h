@@ -13,8 +13,8 @@
 #include <brdf/material.h>
 #include <brdf/rgl.h>
 
-#include "check_random.h"
 #include "merl_bake.h"
+#include "random_vectors.h"
 #include "support_bsdf.h"
 #include "support_place.h"
 
@@ -63,22 +63,6 @@ static inline struct brdf_bsdf *rgl_test_load(const struct brdf_rgl_file *file)
         fail_msg("%s", error.message);
     }
     return bsdf;
-}
-
-static inline brdf_vec3 rgl_test_cube(struct brdfcl_random *random)
-{
-    float x = brdfcl_random_uniform(random);
-    float y = brdfcl_random_uniform(random);
-    return brdf_vec3_make(x, y, brdfcl_random_uniform(random));
-}
-
-/* A direction above the surface, uniform in solid angle, its cosine at least `least`. */
-static inline brdf_vec3 rgl_test_direction(struct brdfcl_random *random, double least)
-{
-    double z = least + (1.0 - least) * (double)brdfcl_random_uniform(random);
-    double phi = 2.0 * TEST_PI * (double)brdfcl_random_uniform(random);
-    double r = sqrt(1.0 - z * z);
-    return brdf_vec3_make((float)(r * cos(phi)), (float)(r * sin(phi)), (float)z);
 }
 
 #endif

@@ -64,8 +64,8 @@ static struct fidelity fidelity_of(const struct brdf_bsdf *made, const char *ori
     struct brdfcl_random random = {1};
     double all = 0.0, sum = 0.0, off = 0.0;
     for (int i = 0; i < 50000; ++i) {
-        brdf_vec3 wo = rgl_test_direction(&random, 0.05);
-        struct brdf_sample s = brdf_sample(made, wo, rgl_test_cube(&random));
+        brdf_vec3 wo = random_above(&random);
+        struct brdf_sample s = brdf_sample(made, wo, random_cube(&random));
         if (s.pdf > 0.0f) {
             double wanted = (double)(brdf_eval(truth, wo, s.wi).g * s.wi.z / s.pdf);
             all += wanted;
@@ -155,10 +155,10 @@ static void warps_are_inverted(void **state)
         const float *table = brdf_bsdf_table(materials[i % 2], &words);
         struct brdf_measured_layout layout = brdf_measured_layout_of(table);
         assert_int_equal(layout.words, words);
-        brdf_vec3 wo = rgl_test_direction(&random, 0.0);
+        brdf_vec3 wo = random_above(&random);
         struct brdf_measured_view view = brdf_measured_view_of(layout, wo, table);
         struct brdf_map map = i & 2 ? layout.luminance : layout.vndf;
-        brdf_vec3 u = rgl_test_cube(&random);
+        brdf_vec3 u = random_cube(&random);
         struct brdf_point there = brdf_map_sample(map, view.slices, u.x, u.y, table);
         struct brdf_point back = brdf_map_invert(map, view.slices, there.x, there.y, table);
         assert_float_equal(back.y, u.y, 1e-5f);
@@ -176,8 +176,8 @@ static void symmetries_hold(void **state)
     struct brdfcl_random random = {3};
     double asymmetric = 0.0;
     for (int i = 0; i < 50000; ++i) {
-        brdf_vec3 wo = rgl_test_direction(&random, 0.0);
-        brdf_vec3 wi = rgl_test_direction(&random, 0.0);
+        brdf_vec3 wo = random_above(&random);
+        brdf_vec3 wi = random_above(&random);
         float f = brdf_eval(m->brushed, wo, wi).g;
         brdf_vec3 a = brdf_vec3_make(-wo.x, wo.y, wo.z), b = brdf_vec3_make(-wi.x, wi.y, wi.z);
         assert_true(brdf_eval(m->brushed, a, b).g == f);
@@ -219,7 +219,7 @@ static void opencl_gives_the_same_bits(void **state)
         skip();
     }
     for (int i = 0; i < COUNT; ++i) {
-        brdf_vec3 w[2] = {rgl_test_direction(&random, 0.0), rgl_test_direction(&random, 0.0)};
+        brdf_vec3 w[2] = {random_above(&random), random_above(&random)};
         for (int k = 0; k < 2; ++k) {
             in[3 * k][i] = w[k].x;
             in[3 * k + 1][i] = w[k].y;
@@ -268,7 +268,7 @@ static void published_files_have_their_albedos(void **state)
         double sum[3] = {0.0, 0.0, 0.0};
         brdf_vec3 wo = brdf_vec3_make(0.5f, 0.0f, 0.866025404f);
         for (int i = 0; i < COUNT; ++i) {
-            brdf_rgb weight = brdf_sample(bsdf, wo, rgl_test_cube(&random)).weight;
+            brdf_rgb weight = brdf_sample(bsdf, wo, random_cube(&random)).weight;
             sum[0] += (double)weight.r / COUNT;
             sum[1] += (double)weight.g / COUNT;
             sum[2] += (double)weight.b / COUNT;

@@ -34,12 +34,12 @@ static void published_place(brdf_vec3 o, brdf_vec3 i, double place[3])
 static void angles_lead_to_their_directions(void **state)
 {
     (void)state;
-    uint64_t random = 3;
+    struct brdfcl_random random = {3};
     for (int i = 0; i < 2000; ++i) {
-        double theta_h = 1.2 * (double)uniform(&random) + 0.01,
-               phi_h = 6.0 * (double)uniform(&random);
-        double theta_d = 1.2 * (double)uniform(&random) + 0.01;
-        double phi_d = TEST_PI * (0.01 + 0.98 * (double)uniform(&random));
+        double theta_h = 1.2 * (double)brdfcl_random_uniform(&random) + 0.01,
+               phi_h = 6.0 * (double)brdfcl_random_uniform(&random);
+        double theta_d = 1.2 * (double)brdfcl_random_uniform(&random) + 0.01;
+        double phi_d = TEST_PI * (0.01 + 0.98 * (double)brdfcl_random_uniform(&random));
         double o[3], w[3], place[3];
         int above = brdf_merl_directions_at(theta_h, phi_h, theta_d, phi_d, o, w);
         assert_int_equal(above, o[2] > 0.0 && w[2] > 0.0);
@@ -55,12 +55,12 @@ static void angles_lead_to_their_directions(void **state)
 }
 
 /* Two directions close to each other and to the normal now and then: small angles are hardest. */
-static void random_pair(uint64_t *state, int number, brdf_vec3 *wo, brdf_vec3 *wi)
+static void random_pair(struct brdfcl_random *random, int number, brdf_vec3 *wo, brdf_vec3 *wi)
 {
     float near_normal = number % 4 == 1 ? 0.01f : 1.0f;
     float near_mirror = number % 4 >= 2 ? 0.02f : 1.0f;
-    *wo = uniform_direction(state);
-    *wi = uniform_direction(state);
+    *wo = random_above(random);
+    *wi = random_above(random);
     wo->z /= near_normal;
     if (near_mirror < 1.0f) {
         wi->x = -wo->x + near_mirror * wi->x;
@@ -76,7 +76,7 @@ static void random_pair(uint64_t *state, int number, brdf_vec3 *wo, brdf_vec3 *w
 static void nearest_is_the_published_lookup(void **state)
 {
     struct baked *baked = *state;
-    uint64_t random = 1;
+    struct brdfcl_random random = {1};
     int compared = 0;
     for (int i = 0; i < 200000; ++i) {
         brdf_vec3 wo, wi;
@@ -131,9 +131,9 @@ static void interpolation_beats_the_nearest_bin(void **state)
 {
     struct baked *baked = *state;
     double alpha = glossy_alpha, error[2] = {0.0, 0.0};
-    uint64_t random = 2;
+    struct brdfcl_random random = {2};
     for (int i = 0; i < 100000; ++i) {
-        brdf_vec3 wo = uniform_direction(&random), wi = uniform_direction(&random);
+        brdf_vec3 wo = random_above(&random), wi = random_above(&random);
         double o[3] = {(double)wo.x, (double)wo.y, (double)wo.z};
         double w[3] = {(double)wi.x, (double)wi.y, (double)wi.z}, truth[3];
         if (wo.z < 0.1f || wi.z < 0.1f) {
@@ -153,7 +153,7 @@ static void interpolation_beats_the_nearest_bin(void **state)
 static void values_are_reciprocal_and_nothing_is_below(void **state)
 {
     struct baked *baked = *state;
-    uint64_t random = 3;
+    struct brdfcl_random random = {3};
     for (int i = 0; i < 200000; ++i) {
         brdf_vec3 wo, wi;
         random_pair(&random, i, &wo, &wi);
@@ -168,8 +168,8 @@ static void values_are_reciprocal_and_nothing_is_below(void **state)
         assert_true(f.r == 0.0f && f.g == 0.0f && f.b == 0.0f);
         assert_true(brdf_merl_pdf(material(0), wo, below, baked->glossy) == 0.0f);
         assert_true(brdf_merl_pdf(material(0), below, wi, baked->glossy) == 0.0f);
-        assert_true(
-            brdf_merl_sample(material(0), below, uniform_vec3(&random), baked->glossy).pdf == 0.0f);
+        assert_true(brdf_merl_sample(material(0), below, random_cube(&random), baked->glossy).pdf ==
+                    0.0f);
     }
 }
 

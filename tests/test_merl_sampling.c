@@ -9,19 +9,21 @@
 #include <stdint.h>
 #include <cmocka.h>
 
+#include <unistd.h>
+
 #include "merl_tables.h"
 
 /* A gray Lambertian surface is its own floor: cosine sampling, every weight the albedo. */
 static void baked_lambert_reflects_its_albedo(void **state)
 {
     struct baked *baked = *state;
-    uint64_t random = 4;
+    struct brdfcl_random random = {4};
     for (int i = 0; i < 100000; ++i) {
-        brdf_vec3 wo = uniform_direction(&random), wi = uniform_direction(&random);
+        brdf_vec3 wo = random_above(&random), wi = random_above(&random);
         brdf_rgb f = brdf_merl_eval(material(i % 2), wo, wi, baked->gray);
         assert_float_equal(f.r, (float)(gray_albedo / TEST_PI), 1e-6f);
         struct brdf_sample s =
-            brdf_merl_sample(material(i % 2), wo, uniform_vec3(&random), baked->gray);
+            brdf_merl_sample(material(i % 2), wo, random_cube(&random), baked->gray);
         assert_float_equal(s.weight.g, (float)gray_albedo, 2e-6f);
     }
 }
@@ -30,11 +32,11 @@ static void baked_lambert_reflects_its_albedo(void **state)
 static void weights_are_f_cos_over_pdf(void **state)
 {
     struct baked *baked = *state;
-    uint64_t random = 5;
+    struct brdfcl_random random = {5};
     for (int i = 0; i < 200000; ++i) {
-        brdf_vec3 wo = uniform_direction(&random);
+        brdf_vec3 wo = random_above(&random);
         struct brdf_sample s =
-            brdf_merl_sample(material(0), wo, uniform_vec3(&random), baked->glossy);
+            brdf_merl_sample(material(0), wo, random_cube(&random), baked->glossy);
         if (s.pdf == 0.0f) {
             assert_true(s.weight.r == 0.0f);
             continue;
@@ -58,11 +60,11 @@ struct estimate {
 static struct estimate albedo_estimate(const float *table, double degrees, int cosine)
 {
     enum { COUNT = 100000 };
-    uint64_t random = 6;
+    struct brdfcl_random random = {6};
     brdf_vec3 wo = direction(degrees);
     double sum = 0.0, squares = 0.0;
     for (int i = 0; i < COUNT; ++i) {
-        brdf_vec3 u = uniform_vec3(&random);
+        brdf_vec3 u = random_cube(&random);
         double weight =
             cosine
                 ? TEST_PI * mean(brdf_merl_eval(material(0), wo, brdf_warp_cosine(u.x, u.y), table))
@@ -143,12 +145,13 @@ static double chi_square_chance(double value, int freedom)
 }
 
 /* The part of all samples that is above the surface, and their counts by cell. */
-static double samples_count(const float *table, brdf_vec3 wo, uint64_t random, int *counted)
+static double samples_count(const float *table, brdf_vec3 wo, unsigned seed, int *counted)
 {
     int above = 0;
+    struct brdfcl_random random = {seed};
     memset(counted, 0, sizeof(int) * CELL_COUNT);
     for (int i = 0; i < SAMPLES; ++i) {
-        struct brdf_sample s = brdf_merl_sample(material(0), wo, uniform_vec3(&random), table);
+        struct brdf_sample s = brdf_merl_sample(material(0), wo, random_cube(&random), table);
         if (s.pdf > 0.0f) {
             ++counted[grid_cell(s.wi)];
             ++above;
@@ -163,7 +166,7 @@ static void samples_have_the_density_of_pdf(void **state)
     static int counted[CELL_COUNT];
     for (int n = 0; n < INCIDENCES; ++n) {
         brdf_vec3 wo = direction(incidences[n]);
-        double above = samples_count(baked->glossy, wo, 7 + (uint64_t)n, counted);
+        double above = samples_count(baked->glossy, wo, 7 + (unsigned)n, counted);
         double mass = 0.0, chi_square = 0.0, expected = 0.0;
         int freedom = -1, pooled = 0;
         for (int cell = 0; cell < CELL_COUNT; ++cell) {
@@ -192,22 +195,21 @@ static void a_real_material_is_plausible(void **state)
 {
     (void)state;
     const char *data = getenv("BRDFCL_DATA") ? getenv("BRDFCL_DATA") : "../shared/data";
-    char packed[4096], path[4200], command[9000];
+    char packed[4096], command[5000];
     snprintf(packed, sizeof packed, "%s/merl/gold-metallic-paint.binary.xz", data);
     if (access(packed, R_OK) != 0 || system("xz --version >/dev/null 2>&1") != 0) {
         print_message("    skipped, no data\n");
         skip();
     }
-    char *folder = test_folder_make();
+    struct place place;
     float *table = NULL;
     size_t words;
-    snprintf(path, sizeof path, "%s/gold.binary", folder);
-    snprintf(command, sizeof command, "xz -dc '%s' >'%s'", packed, path);
+    assert_int_equal(place_make(&place, "gold.binary"), 0);
+    snprintf(command, sizeof command, "xz -dc '%s' >'%s'", packed, place.path);
     int unpacked = system(command);
-    brdf_status status = brdf_merl_table_load(path, BRDF_MERL_INVALID_FILL, &table, &words, NULL);
-    unlink(path);
-    rmdir(folder);
-    free(folder);
+    brdf_status status =
+        brdf_merl_table_load(place.path, BRDF_MERL_INVALID_FILL, &table, &words, NULL);
+    place_remove(&place);
     assert_int_equal(unpacked, 0);
     assert_int_equal(status, BRDF_OK);
     for (int i = 0; i < 3; ++i) {

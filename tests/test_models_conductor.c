@@ -15,6 +15,7 @@
 
 #include <brdf/facets.h>
 
+#include "random_vectors.h"
 #include "support_bsdf.h"
 #include "support_energy.h"
 #include "support_models.h"
@@ -56,13 +57,6 @@ static void known_albedos(void **state)
         }
         brdf_bsdf_destroy(bsdf);
     }
-}
-
-static brdf_vec3 random_above(struct brdfcl_random *random)
-{
-    brdf_vec3 w = brdfcl_random_direction(random);
-    w.z = fabsf(w.z);
-    return w;
 }
 
 /* For pairs of directions, what f of one bsdf is over f of another. */

@@ -14,6 +14,7 @@
 #include <brdf/fiber.h>
 
 #include "check_cases.h"
+#include "random_vectors.h"
 #include "support_bsdf.h"
 #include "support_energy.h"
 #include "support_models.h"
@@ -23,13 +24,6 @@ static const double pi = 3.14159265358979323846;
 static int differs(double a, double b, double tolerance)
 {
     return !(fabs(a - b) <= tolerance * fmax(fabs(a), fabs(b)) + 1e-6);
-}
-
-static brdf_vec3 random_above(struct brdfcl_random *random)
-{
-    brdf_vec3 w = brdfcl_random_direction(random);
-    w.z = fabsf(w.z);
-    return w;
 }
 
 /* 1 - F of a smooth interface [Fresnel]. */

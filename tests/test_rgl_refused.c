@@ -211,8 +211,7 @@ static void changed_bytes_do_no_harm(void **state)
         if (brdf_rgl_read(damage->place.path, &file, NULL) == BRDF_OK) {
             brdf_rgl_free(&file);
             assert_int_equal(brdf_bsdf_create_from("measured", &setting, 1, &bsdf, NULL), BRDF_OK);
-            struct brdf_sample s =
-                brdf_sample(bsdf, rgl_test_direction(&random, 0.0), rgl_test_cube(&random));
+            struct brdf_sample s = brdf_sample(bsdf, random_above(&random), random_cube(&random));
             assert_true(s.pdf >= 0.0f && isfinite(s.pdf) && isfinite(s.weight.g));
             brdf_bsdf_destroy(bsdf);
             ++accepted;
