@@ -12,175 +12,23 @@ what that changes is rounding. What is left is unexplained, and more than 1 in 5
 """
 
 import argparse
-import json
 import os
-import subprocess
 import sys
 import tempfile
 
-import drjit as dr
 import mitsuba as mi
 import numpy as np
+
+from compare_materials import (make_conductor, make_dielectric, make_diffuse, make_measured,
+                               make_plastic, make_principled, make_roughconductor,
+                               make_roughdielectric, make_roughplastic, make_thindielectric,
+                               with_exact_mean, without_negative)
+from compare_programs import Ours, Theirs
 
 VARIANT = "llvm_ad_rgb"
 LIMIT = 1e-4
 MOST_UNEXPLAINED = 2e-4  # of the pairs
-ALBEDO_SAMPLES = 1 << 17
 ALBEDOS = 6  # materials of a row whose albedo is compared
-
-
-def text_of(value):
-    """A value as brdfcl's descriptions have it."""
-    if isinstance(value, (list, tuple, np.ndarray)):
-        return "/".join(repr(float(np.float32(v))) for v in value)
-    return value if isinstance(value, str) else repr(float(np.float32(value)))
-
-
-class Material:
-    """The same material twice: `shared` parameters have one name in both programs."""
-
-    def __init__(self, model, shared, ours=None, theirs=None):
-        self.shared = shared
-        settings = dict(shared)
-        settings.update(ours or {})
-        self.description = model
-        if settings:
-            self.description += ":" + ",".join(f"{k}={text_of(v)}" for k, v in settings.items())
-        self.dictionary = {"type": model}
-        for name, value in list(shared.items()) + list((theirs or {}).items()):
-            if isinstance(value, np.ndarray):
-                value = {"type": "rgb", "value": [float(np.float32(v)) for v in value]}
-            elif isinstance(value, np.floating):
-                value = float(value)
-            elif value in ("true", "false"):
-                value = value == "true"
-            self.dictionary[name] = value
-
-
-def color(random, high=1.0):
-    return np.float32(high * random.random(3))
-
-
-def alphas(random):
-    """From nearly smooth to rougher than it makes sense, isotropic half of the time."""
-    alpha = np.float32(np.exp(random.uniform(np.log(0.03), np.log(1.0), 2)))
-    return (alpha[0], alpha[0]) if random.random() < 0.5 else (alpha[0], alpha[1])
-
-
-def indices(random):
-    """Of the inside and of the outside; the inside is the denser one more often."""
-    pair = np.float32([random.uniform(1.1, 2.4), random.uniform(1.0, 1.05)])
-    return {"int_ior": pair[0], "ext_ior": pair[1]} if random.random() < 0.7 else \
-        {"int_ior": pair[1], "ext_ior": pair[0]}
-
-
-def denser_inside(random):
-    return {"int_ior": np.float32(random.uniform(1.1, 2.4)), "ext_ior": np.float32(1.0)}
-
-
-def metal(random):
-    return {"eta": color(random, 3.0) + np.float32(0.05), "k": color(random, 7.0)}
-
-
-def make_diffuse(random):
-    return Material("diffuse", {"reflectance": color(random)})
-
-
-def make_conductor(random):
-    return Material("conductor", {**metal(random), "specular_reflectance": color(random)})
-
-
-def make_dielectric(random):
-    return Material("dielectric", {**indices(random), "specular_reflectance": color(random),
-                                   "specular_transmittance": color(random)})
-
-
-def make_thindielectric(random):
-    return Material("thindielectric", {**denser_inside(random), "specular_reflectance": color(random),
-                                       "specular_transmittance": color(random)})
-
-
-def rough(distribution, random, shared):
-    alpha = alphas(random)
-    return {"distribution": distribution, "alpha_u": alpha[0], "alpha_v": alpha[1], **shared}
-
-
-def make_roughconductor(distribution, masking):
-    def make(random):
-        shared = {**metal(random), "specular_reflectance": color(random)}
-        return Material("roughconductor", rough(distribution, random, shared), {"masking": masking})
-    return make
-
-
-def make_roughdielectric(distribution):
-    def make(random):
-        shared = {**indices(random), "specular_reflectance": color(random),
-                  "specular_transmittance": color(random)}
-        return Material("roughdielectric", rough(distribution, random, shared),
-                        {"masking": "separable"})
-    return make
-
-
-def fresnel_mean_inside(ior):
-    """What a smooth interface reflects of diffuse light from inside, exactly and as Mitsuba fits it."""
-    cosine = (np.arange(100000) + 0.5) / 100000
-    cosine_t = np.sqrt(1.0 - (1.0 - cosine * cosine) / ior**2)
-    s = (cosine - ior * cosine_t) / (cosine + ior * cosine_t)
-    p = (ior * cosine - cosine_t) / (ior * cosine + cosine_t)
-    outside = float((cosine * (s * s + p * p)).mean())
-    eta = 1.0 / ior  # Egan and Hilgeman 1973
-    fit = -1.4399 * eta**2 + 0.7099 * eta + 0.6681 + 0.0636 / eta
-    return 1.0 - (1.0 - outside) / ior**2, fit
-
-
-def with_exact_mean(material, values):
-    """Mitsuba's f of plastic, had it the exact mean instead of a fit."""
-    shared = material.shared
-    exact, fit = fresnel_mean_inside(float(shared["int_ior"]) / float(shared["ext_ior"]))
-    base = np.float64(shared["diffuse_reflectance"]) if shared["nonlinear"] == "true" else 1.0
-    return values * (1.0 - base * fit) / (1.0 - base * exact)
-
-
-def without_negative(_, values):
-    """Some measured colours are outside of Rec. 709; ours are 0 there."""
-    return np.maximum(values, 0.0)
-
-
-def make_plastic(random):
-    return Material("plastic", {**denser_inside(random), "diffuse_reflectance": color(random),
-                                "specular_reflectance": color(random),
-                                "nonlinear": "true" if random.random() < 0.5 else "false"})
-
-
-def make_roughplastic(random):
-    alpha = np.float32(np.exp(random.uniform(np.log(0.05), np.log(0.7))))
-    return Material("roughplastic",
-                    {"distribution": "ggx" if random.random() < 0.5 else "beckmann", "alpha": alpha,
-                     **denser_inside(random), "diffuse_reflectance": color(random),
-                     "specular_reflectance": color(random),
-                     "nonlinear": "true" if random.random() < 0.5 else "false"})
-
-
-def make_principled(random):
-    names = ["roughness", "anisotropic", "metallic", "spec_tint", "sheen", "sheen_tint", "flatness",
-             "clearcoat", "clearcoat_gloss"]
-    shared = {name: np.float32(random.random()) for name in names}
-    # Nearer to 1, 1 - (1 - alpha^2) cos^2 has too few digits left in Mitsuba's clearcoat.
-    shared["clearcoat_gloss"] *= np.float32(0.5)
-    shared["roughness"] = np.float32(random.uniform(0.2, 1.0))
-    shared["specular"] = np.float32(random.uniform(0.2, 1.0))
-    if random.random() < 0.5:
-        shared["spec_trans"] = np.float32(random.random())
-    return Material("principled", {"base_color": color(random), **shared})
-
-
-def make_measured(random):
-    folder = os.environ.get("BRDFCL_DATA", "../shared/data") + "/rgl"
-    files = sorted(f for f in os.listdir(folder) if f.endswith("_rgb.bsdf")) if \
-        os.path.isdir(folder) else []
-    if not files:
-        return None
-    return Material("measured", {"filename": os.path.join(folder, random.choice(files))})
 
 
 class Row:
@@ -265,73 +113,6 @@ def pairs(random, count, both_sides):
         wo[random.random(count) < 0.5] *= [1.0, 1.0, -1.0]
         wi[random.random(count) < 0.5] *= [1.0, 1.0, -1.0]
     return np.float32(unit(wo)), np.float32(unit(wi))
-
-
-class Ours:
-    def __init__(self, command, folder):
-        self.command = command
-        self.folder = folder
-
-    def run(self, *arguments):
-        done = subprocess.run([self.command, *arguments], capture_output=True, text=True, check=False)
-        if done.returncode:
-            raise RuntimeError(done.stderr)
-        return done.stdout
-
-    def values(self, material, wo, wi):
-        path = os.path.join(self.folder, "pairs.csv")
-        np.savetxt(path, np.hstack([wo, wi]), fmt="%.9g", delimiter=",")
-        out = self.run("eval", material.description, "--directions", path)
-        rows = np.array([line.split(",") for line in out.splitlines()[1:]], dtype=np.float64)
-        return rows[:, :3], rows[:, 3]
-
-    def albedo(self, material, cosine):
-        inside = ["--inside"] if cosine < 0.0 else []
-        theta = np.degrees(np.arccos(abs(cosine)))
-        out = json.loads(self.run("albedo", material.description, "--theta", f"{theta:.9g}", *inside,
-                                  "--samples", str(ALBEDO_SAMPLES), "--json", "-"))
-        row = out["albedo"][0]
-        return np.array(row["reflection"] + row["transmission"]), row["error"]
-
-
-def interaction(wo):
-    si = mi.SurfaceInteraction3f()
-    si.t = 0.0
-    si.wi = mi.Vector3f(wo.T)
-    si.p = mi.Point3f(0.0)
-    si.n = mi.Normal3f(0.0, 0.0, 1.0)
-    si.sh_frame = mi.Frame3f(mi.Vector3f(0.0, 0.0, 1.0))
-    si.uv = mi.Point2f(0.5)
-    return si
-
-
-class Theirs:
-    def __init__(self, material):
-        self.bsdf = mi.load_dict(material.dictionary)
-        self.context = mi.BSDFContext()
-        self.transmits = mi.has_flag(self.bsdf.flags(), mi.BSDFFlags.Transmission)
-
-    def values(self, _, wo, wi):
-        si = interaction(wo)
-        f = np.array(self.bsdf.eval(self.context, si, mi.Vector3f(wi.T))).reshape(3, -1).T
-        pdf = np.array(self.bsdf.pdf(self.context, si, mi.Vector3f(wi.T)))
-        return np.float64(f) / np.abs(np.float64(wi[:, 2:])), np.float64(pdf) + np.zeros(len(wo))
-
-    def albedo(self, _, cosine):
-        """By so many samples of theirs; transmission as power, and the standard error."""
-        count = ALBEDO_SAMPLES
-        wo = np.zeros((count, 3), np.float32)
-        wo[:, 0], wo[:, 2] = np.sqrt(1.0 - cosine * cosine), cosine
-        i = dr.arange(mi.UInt32, count)
-        jitter = mi.PCG32(size=count)
-        u = mi.Point2f((mi.Float(i) + jitter.next_float32()) / count, jitter.next_float32())
-        sample, weight = self.bsdf.sample(self.context, interaction(wo), jitter.next_float32(), u)
-        weight = np.float64(np.array(weight).reshape(3, -1).T)
-        through = np.array(sample.wo)[2] * cosine < 0.0
-        weight *= np.where(through, np.float64(np.array(sample.eta)) ** 2, 1.0)[:, None]
-        weight[~np.isfinite(weight)] = 0.0
-        both = np.hstack([weight * ~through[:, None], weight * through[:, None]])
-        return both.mean(0), both.std(0).max() / np.sqrt(count)
 
 
 def apart(ours, theirs):
