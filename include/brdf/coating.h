@@ -1,124 +1,90 @@
 /*
- * coating.h - a rough dielectric interface over something: what of a direction gets through it, and
- * what it throws back of diffuse light from within.
+ * coating.h - a rough dielectric interface over a diffuse base: what of a direction gets through
+ * it, and what it throws back of diffuse light from within.
  *
- * Neither has a closed form. Both are polynomials fitted to quadratures of the microfacet model of
- * refraction [Walter et al. 2007, eq. 21] with separable masking, light that meets one facet only:
- * tools/fit_coating.py, to 1e-3 at worst and 3e-4 on average. They hold for alpha in [1e-4, 2] and
- * eta in [1.1, 2.5], to which both are clamped.
+ * With T(mu) and l(mu) what the interface lets through and loses of light from above by one facet,
+ * T, L, L' the means of both and of the loss from below (glass_curve.h), of diffuse light from
+ * within a part T / eta^2 gets out, for as much passes one way as the other, and L' is lost: the
+ * interface throws back K = 1 - T / eta^2 - L'.
+ *
+ * With compensation, what is lost comes back as glass.h has it. The part q of it comes through, so
+ * that T(mu) + q l(mu) passes; on the way out K = 1 - (T + q L) / eta^2, and nothing is lost.
  */
 #ifndef BRDF_COATING_H
 #define BRDF_COATING_H
 
-#include "coating_fit.h"
 #include "fresnel.h"
-#include "math.h"
-#include "microfacet.h"
-
-#define BRDF_COATING_ETA_LOW 1.1f
-#define BRDF_COATING_ETA_HIGH 2.5f
+#include "glass_curve.h"
 
 struct brdf_coating {
-    int distribution;
-    brdf_real alpha;
-    brdf_real eta; /* below over above */
+    struct brdf_glass_place row;
+    brdf_real mean_loss; /* L */
+    brdf_real through;   /* q; 0 without compensation */
+    brdf_real escape;    /* 1 - K */
+    brdf_real eta2;      /* square of the index below over that above */
 };
 
-static inline struct brdf_coating brdf_coating_make(int distribution, brdf_real alpha,
-                                                    brdf_real eta)
+/* `compensates` is the same for all lanes. */
+static inline struct brdf_coating brdf_coating_make(BRDF_GLOBAL const float *table, brdf_real alpha,
+                                                    int compensates)
 {
     struct brdf_coating coating;
-    coating.distribution = distribution;
-    coating.alpha = brdf_clamp(alpha, 1e-4f, 2.0f);
-    coating.eta = brdf_clamp(eta, BRDF_COATING_ETA_LOW, BRDF_COATING_ETA_HIGH);
+    float eta = table[BRDF_GLASS_ETA];
+    coating.row = brdf_glass_row(brdf_clamp(alpha, BRDF_GLASS_ALPHA_LOW, BRDF_GLASS_ALPHA_HIGH));
+    coating.eta2 = eta * eta;
+    brdf_real pass = brdf_glass_mean(table, coating.row, BRDF_GLASS_PASS_ABOVE);
+    brdf_real below = brdf_glass_mean(table, coating.row, BRDF_GLASS_LOSS_BELOW);
+    coating.mean_loss =
+        brdf_max(brdf_glass_mean(table, coating.row, BRDF_GLASS_LOSS_ABOVE), 1e-12f);
+    coating.through = 0.0f;
+    coating.escape = pass / coating.eta2 + below;
+    if (compensates) {
+        brdf_real ratio = brdf_min(below / coating.mean_loss, 1.0f);
+        coating.through = brdf_min(table[BRDF_GLASS_PASS] * ratio, 1.0f);
+        coating.escape = (pass + coating.through * coating.mean_loss) / coating.eta2;
+    }
+    coating.escape = brdf_clamp(coating.escape, 1e-3f, 1.0f);
     return coating;
 }
 
-/* Where the fits have alpha and eta: sqrt(alpha) and sqrt((eta - 1) / (eta + 1)), to [-1, 1]. */
-static inline brdf_real brdf_coating_y(struct brdf_coating coating)
+/* What one facet does with light from above under a cosine. */
+struct brdf_coating_view {
+    brdf_real pass; /* T */
+    brdf_real loss; /* l; 0 without compensation, which alone asks for it */
+};
+
+static inline struct brdf_coating_view brdf_coating_view_of(BRDF_GLOBAL const float *table,
+                                                            struct brdf_coating coating,
+                                                            int compensates, brdf_real cosine)
 {
-    return 1.41421356f * sqrtf(coating.alpha) - 1.0f;
+    struct brdf_coating_view view;
+    struct brdf_glass_place column =
+        brdf_glass_column(brdf_glass_axis_of(table, 0), brdf_clamp(cosine, 0.0f, 1.0f));
+    brdf_int first = BRDF_GLASS_MEANS;
+    view.pass = brdf_glass_curve(table, coating.row, first, column);
+    view.loss = 0.0f;
+    if (compensates) {
+        view.loss = brdf_glass_curve(table, coating.row, first + BRDF_GLASS_COLUMNS, column);
+    }
+    return view;
 }
 
-static inline brdf_real brdf_coating_z(struct brdf_coating coating)
+/* All that gets through of light from this direction. */
+static inline brdf_real brdf_coating_pass(struct brdf_coating coating,
+                                          struct brdf_coating_view view)
 {
-    brdf_real root = sqrtf((coating.eta - 1.0f) / (coating.eta + 1.0f));
-    return (root - 0.21821789f) * 4.58257569f - 1.0f;
+    return view.pass + coating.through * view.loss;
 }
 
 /*
- * A first guess of what passes: that of a smooth interface under the mean angle at which facets
- * are met.
+ * A guess of what passes by one facet, for sampling: what a smooth interface lets through under the
+ * mean angle at which facets are met.
  */
-static inline brdf_real brdf_coating_guess(struct brdf_coating coating, brdf_real cosine)
+static inline brdf_real brdf_coating_guess(brdf_real alpha, brdf_real eta, brdf_real cosine)
 {
-    brdf_real spread = 3.0f * coating.alpha * coating.alpha;
+    brdf_real spread = 3.0f * alpha * alpha;
     brdf_real mean = sqrtf((cosine * cosine + spread) / (1.0f + spread));
-    return 1.0f - brdf_fresnel_dielectric(brdf_min(mean, 1.0f), coating.eta).reflectance;
-}
-
-/* The fit's factor of the guess is a polynomial in x of degree 10; its coefficients. */
-struct brdf_coating_curve {
-    brdf_real c[11];
-};
-
-static inline struct brdf_coating_curve brdf_coating_curve_of(struct brdf_coating coating)
-{
-    struct brdf_coating_curve curve;
-    brdf_real y = brdf_coating_y(coating);
-    brdf_real z = brdf_coating_z(coating);
-    int row = 0;
-    for (int i = 0; i <= 10; ++i) {
-        brdf_real power = 1.0f; /* of z */
-        curve.c[i] = 0.0f;
-        for (int k = 0; 105 - 7 * i - 14 * k >= 0 && k <= 5; ++k) {
-            int most = (105 - 7 * i - 14 * k) / 5; /* power of y */
-            most = most > 14 ? 14 : most;
-            brdf_real sum = 0.0f;
-            for (int j = most; j >= 0; --j) {
-                sum = sum * y + (coating.distribution == BRDF_GGX
-                                     ? brdf_coating_pass_ggx[row + j]
-                                     : brdf_coating_pass_beckmann[row + j]);
-            }
-            curve.c[i] += power * sum;
-            power = power * z;
-            row += most + 1;
-        }
-    }
-    return curve;
-}
-
-/* What of a direction gets through from above [1]; its cosine in [0, 1]. */
-static inline brdf_real brdf_coating_pass(struct brdf_coating coating,
-                                          struct brdf_coating_curve curve, brdf_real cosine)
-{
-    brdf_real cos2 = brdf_min(cosine * cosine, 1.0f);
-    brdf_real spread = 2.0f * coating.alpha * coating.alpha;
-    brdf_real below = brdf_max(cos2 + spread * (1.0f - cos2), 1e-20f);
-    brdf_real x = 2.0f * cosine / sqrtf(below) - 1.0f;
-    brdf_real factor = curve.c[10];
-    for (int i = 9; i >= 0; --i) {
-        factor = factor * x + curve.c[i];
-    }
-    return brdf_clamp(brdf_coating_guess(coating, cosine) * factor, 0.0f, 1.0f);
-}
-
-/* What of diffuse light from below is not thrown back [1]. */
-static inline brdf_real brdf_coating_escape(struct brdf_coating coating)
-{
-    brdf_real y = brdf_coating_y(coating);
-    brdf_real z = brdf_coating_z(coating);
-    brdf_real inside = 0.0f;
-    for (int k = 4; k >= 0; --k) {
-        brdf_real sum = 0.0f;
-        for (int j = 8; j >= 0; --j) {
-            sum = sum * y + (coating.distribution == BRDF_GGX
-                                 ? brdf_coating_inside_ggx[9 * k + j]
-                                 : brdf_coating_inside_beckmann[9 * k + j]);
-        }
-        inside = inside * z + sum;
-    }
-    return brdf_clamp(1.0f - inside, 0.01f, 1.0f);
+    return 1.0f - brdf_fresnel_dielectric(brdf_min(mean, 1.0f), eta).reflectance;
 }
 
 #endif

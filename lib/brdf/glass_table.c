@@ -1,143 +1,278 @@
 /*
- * glass_table.c - what rough glass of given indices loses: the table of glass.h, by quadrature.
+ * glass_table.c - the table of a rough interface: glass_curve.h says what is in it and where.
  *
- * Normals with density D cos lie on a lattice of Fibonacci's, the same for every direction; each
- * mirrors and refracts. Two million facets, a tenth of a second.
+ * Quadratures at a third of the rows and half of the columns; cubic polynomials through four of
+ * them fill the rest, so that the table may be read linearly. Some hundredths of a second.
  */
 #include "glass_table.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-#include "brdf/glass.h"
-#include "brdf/microfacet.h"
+#include "brdf/glass_curve.h"
+#include "brdf/interface.h"
+#include "glass_facets.h"
 
-enum { FACETS = 1024, STEPS = 256 };
-
-struct facet {
-    brdf_vec3 h;
-    float weight; /* over cos(h) */
+enum {
+    ROW_STEP = 3,
+    COLUMN_STEP = 2,
+    ROWS = (BRDF_GLASS_ROWS - 1) / ROW_STEP + 1, /* with quadratures */
+    PARTS = 8                                    /* of a cell, for integrals over it */
 };
 
-struct glass {
+/* A table in the making. */
+struct making {
+    struct glass_rule rule;
     int distribution;
     int masking;
-    struct facet facets[FACETS]; /* of one alpha */
+    float eta;
+    int coating;
+    double cosine[2][BRDF_GLASS_COLUMNS];  /* of the columns, from above and from below */
+    double measure[2][BRDF_GLASS_COLUMNS]; /* integrals of 2 mu times the column's hat */
+    float *table;
 };
 
-/* Slopes of the lattice, dense in the tail: they have unit roughness before they are scaled. */
-static void facets_make(struct glass *glass, double alpha)
+static struct brdf_glass_axis axis_of(const struct making *making, int below)
 {
-    for (int i = 0; i < FACETS; ++i) {
-        double v = (i + 0.5) / FACETS;
-        double left = (1.0 - v) * (1.0 - v);
-        double slope2 = glass->distribution == BRDF_GGX ? (1.0 - left) / left : -log(left);
-        double turn = 2.0 * 3.14159265358979323846 * 0.61803398874989485 * i;
-        double tangent = alpha * sqrt(slope2);
-        double z = 1.0 / sqrt(1.0 + tangent * tangent);
-        struct facet *facet = &glass->facets[i];
-        facet->h = brdf_vec3_make((float)(tangent * z * cos(turn)),
-                                  (float)(tangent * z * sin(turn)), (float)z);
-        facet->weight = (float)(2.0 * (1.0 - v) / FACETS / z);
+    return brdf_glass_axis_of(making->table, below);
+}
+
+static double place_number(struct brdf_glass_place place)
+{
+    return (double)place.index + (double)place.rest;
+}
+
+/* The cosine at a column, by bisection: columns rise with cosines. */
+static double cosine_of(struct brdf_glass_axis axis, int column)
+{
+    double critical = (double)axis.critical;
+    int is_below = column < BRDF_GLASS_BELOW;
+    double low = is_below ? 0.0 : critical, high = is_below ? critical : 1.0;
+    if (column == BRDF_GLASS_BELOW - 1 || column == BRDF_GLASS_BELOW) {
+        return critical;
+    }
+    for (int i = 0; i < 40; ++i) {
+        double middle = 0.5 * (low + high);
+        int before = place_number(brdf_glass_column(axis, (float)middle)) < column;
+        low = before ? middle : low;
+        high = before ? high : middle;
+    }
+    return 0.5 * (low + high);
+}
+
+/* The part of the columns that is in use, first to last. */
+static void columns_of(struct brdf_glass_axis axis, int part, int *first, int *last)
+{
+    *first = part == 0 ? 0 : BRDF_GLASS_BELOW;
+    *last = part == 0 ? BRDF_GLASS_BELOW - 1 : BRDF_GLASS_COLUMNS - 1;
+    if (part == 0 && !(axis.critical > 0.0f)) {
+        *last = -1;
     }
 }
 
-/* G2 / cos(wo) of a direction wi that one facet sends wo to; wi counts from its own side. */
-static float seen(const struct glass *glass, float alpha, brdf_vec3 wo, float area_o, brdf_vec3 wi)
+/* Columns of one side: where they are, and what a number there adds to the mean. */
+static void side_prepare(struct making *making, int below)
 {
-    if (wi.z <= 0.0f) {
-        return 0.0f;
+    struct brdf_glass_axis axis = axis_of(making, below);
+    double *cosine = making->cosine[below], *measure = making->measure[below];
+    for (int i = 0; i < BRDF_GLASS_COLUMNS; ++i) {
+        cosine[i] = cosine_of(axis, i);
+        measure[i] = 0.0;
     }
-    float area_i = brdf_microfacet_area(glass->distribution, wi, alpha, alpha);
-    return wi.z * brdf_microfacet_visibility(glass->masking, wo.z, wi.z, area_o, area_i);
-}
-
-/* l of light under the cosine mu, eta being that of the far side over the near one's. */
-static float loss(const struct glass *glass, float alpha, float eta, double mu)
-{
-    brdf_vec3 wo = brdf_vec3_make((float)sqrt(1.0 - mu * mu), 0.0f, (float)mu);
-    float area_o = brdf_microfacet_area(glass->distribution, wo, alpha, alpha);
-    double kept = 0.0;
-    for (int i = 0; i < FACETS; ++i) {
-        const struct facet *facet = &glass->facets[i];
-        float cosine = brdf_min(brdf_dot(wo, facet->h), 1.0f);
-        if (cosine > 0.0f) {
-            struct brdf_fresnel fresnel = brdf_fresnel_dielectric(cosine, eta);
-            brdf_vec3 mirrored = brdf_reflect(wo, facet->h);
-            brdf_vec3 refracted = brdf_refract(wo, facet->h, cosine, fresnel.cos_t, eta);
-            float sum = fresnel.reflectance * seen(glass, alpha, wo, area_o, mirrored) +
-                        (1.0f - fresnel.reflectance) *
-                            seen(glass, alpha, wo, area_o, brdf_negate(refracted));
-            kept += (double)(facet->weight * cosine * sum);
+    for (int part = 0; part < 2; ++part) {
+        int first, last;
+        columns_of(axis, part, &first, &last);
+        for (int i = first; i < last; ++i) {
+            double width = (cosine[i + 1] - cosine[i]) / PARTS;
+            for (int k = 0; k < PARTS; ++k) {
+                double mu = cosine[i] + width * (k + 0.5);
+                double rest = place_number(brdf_glass_column(axis, (float)mu)) - i;
+                rest = fmin(fmax(rest, 0.0), 1.0);
+                measure[i] += 2.0 * mu * width * (1.0 - rest);
+                measure[i + 1] += 2.0 * mu * width * rest;
+            }
         }
     }
-    return (float)fmin(fmax(1.0 - kept, 0.0), 1.0);
 }
 
-/* The cosine of a column for a = 4 alpha^2; not quite 0, where areas are. */
-static double cosine_of(int column, double a)
-{
-    double root = (double)column / (BRDF_GLASS_COSINES - 1);
-    double some = fmax(root * root, 1e-5);
-    return fmin(some * sqrt(a / (1.0 + a - some * some)), 1.0);
-}
-
+/* alpha of a row, by bisection. */
 static double alpha_of(int row)
 {
-    double v = (double)row / (BRDF_GLASS_ALPHAS - 1) / 1.5;
-    return fmax(v / (1.0 - v), (double)BRDF_GLASS_ALPHA_LOW);
-}
-
-/*
- * L from the rows, as brdf_glass_loss will read them: mu^2 goes by its logarithm, so that the loss
- * near the horizon is resolved.
- */
-static double mean(const float *half, double alpha)
-{
-    double a = 4.0 * alpha * alpha;
-    double scale = log(1.0 + 1.0 / a);
-    double sum = 0.0;
-    for (int i = 0; i < STEPS; ++i) {
-        double mu2 = a * expm1(scale * (i + 0.5) / STEPS);
-        float mu = (float)fmin(sqrt(mu2), 1.0);
-        sum += (double)brdf_glass_loss(half, 1, (float)alpha, mu) * (mu2 + a);
+    double low = (double)BRDF_GLASS_ALPHA_LOW, high = (double)BRDF_GLASS_ALPHA_HIGH;
+    for (int i = 0; i < 40; ++i) {
+        double middle = 0.5 * (low + high);
+        int before = place_number(brdf_glass_row((float)middle)) < row;
+        low = before ? middle : low;
+        high = before ? high : middle;
     }
-    return sum * scale / STEPS;
+    return 0.5 * (low + high);
 }
 
-static void half_fill(struct glass *glass, float eta, float *half)
+/* The polynomial through four of `count` numbers around `at`; they are `stride` words apart. */
+static double between(const float *numbers, int count, int stride, double at)
 {
-    for (int row = 0; row < BRDF_GLASS_ALPHAS; ++row) {
-        double alpha = alpha_of(row);
-        facets_make(glass, alpha);
-        for (int k = 0; k < BRDF_GLASS_COSINES; ++k) {
-            double mu = cosine_of(k, 4.0 * alpha * alpha);
-            half[BRDF_GLASS_MEANS + row * BRDF_GLASS_COSINES + k] =
-                loss(glass, (float)alpha, eta, mu);
+    int first = (int)at - 1;
+    first = first < 0 ? 0 : first > count - 4 ? count - 4 : first;
+    double t = at - first, sum = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        double weight = 1.0;
+        for (int k = 0; k < 4; ++k) {
+            weight *= k == i ? 1.0 : (t - k) / (i - k);
+        }
+        sum += weight * (double)numbers[(first + i) * stride];
+    }
+    return sum;
+}
+
+/* Numbers in [0, 1] where there are none yet: all but every `step`th, `stride` words apart. */
+static void fill(float *numbers, int count, int stride, int step)
+{
+    for (int i = 0; i < count; ++i) {
+        if (i % step) {
+            double number =
+                between(numbers, (count - 1) / step + 1, step * stride, (double)i / step);
+            numbers[i * stride] = (float)fmin(fmax(number, 0.0), 1.0);
         }
     }
-    for (int i = 0; i < BRDF_GLASS_MEANS; ++i) {
-        double x = (double)i / (BRDF_GLASS_MEANS - 1);
-        double alpha = exp((double)BRDF_GLASS_LOG_LOW + (double)BRDF_GLASS_LOG_RANGE * x);
-        half[i] = (float)(mean(half, alpha) * (1.0 + alpha * alpha) / (alpha * alpha));
+}
+
+static struct glass_surface surface_of(const struct making *making, double alpha, int below)
+{
+    struct glass_surface surface = {making->distribution, making->masking, alpha,
+                                    (double)(below ? 1.0f / making->eta : making->eta)};
+    return surface;
+}
+
+static float lost(struct glass_shares shares)
+{
+    return (float)fmin(fmax(1.0 - shares.reflected - shares.passed, 0.0), 1.0);
+}
+
+/* Curves of one side; what passes only if there is room for it. */
+static void curves_make(const struct making *making, double alpha, int below, float *passed,
+                        float *losses)
+{
+    struct glass_surface surface = surface_of(making, alpha, below);
+    for (int part = 0; part < 2; ++part) {
+        int first, last;
+        columns_of(axis_of(making, below), part, &first, &last);
+        for (int i = first; i <= last; i += COLUMN_STEP) {
+            /* Not quite 0, where there is nothing to be seen. */
+            double mu = fmax(making->cosine[below][i], 1e-6);
+            struct glass_shares shares = glass_shares_of(&surface, &making->rule, mu);
+            losses[i] = lost(shares);
+            if (passed) {
+                passed[i] = (float)shares.passed;
+            }
+        }
+        if (last >= first) {
+            fill(losses + first, last - first + 1, 1, COLUMN_STEP);
+        }
+        if (last >= first && passed) {
+            fill(passed + first, last - first + 1, 1, COLUMN_STEP);
+        }
     }
 }
 
-brdf_status brdf_glass_table_make(int distribution, int masking, float eta, float **table,
-                                  size_t *words, struct brdf_error *error)
+/* The mean loss from below where there is no curve of it; in quarters, for it has more kinks. */
+static float mean_loss(const struct making *making, double alpha)
 {
-    struct glass *glass = malloc(sizeof *glass);
-    float *made = malloc(BRDF_GLASS_WORDS * sizeof *made);
-    if (!glass || !made) {
-        free(glass);
-        free(made);
-        return brdf_fail(error, BRDF_OUT_OF_MEMORY, "out of memory for what rough glass loses");
+    struct glass_surface surface = surface_of(making, alpha, 1);
+    double critical = (double)axis_of(making, 1).critical;
+    double sum = 0.0;
+    for (int i = 0; i < 4 * GLASS_NODES; ++i) {
+        int part = i / GLASS_NODES, k = i % GLASS_NODES;
+        double width = 0.5 * (part < 2 ? critical : 1.0 - critical);
+        double first = (part < 2 ? 0.0 : critical) + (part % 2) * width;
+        if (width > 0.0) {
+            double mu = first + width * making->rule.at[k];
+            sum += 2.0 * mu * width * making->rule.weight[k] *
+                   (double)lost(glass_shares_of(&surface, &making->rule, mu));
+        }
     }
-    glass->distribution = distribution;
-    glass->masking = masking;
-    half_fill(glass, eta, made);
-    half_fill(glass, 1.0f / eta, made + BRDF_GLASS_HALF);
-    free(glass);
+    return (float)sum;
+}
+
+static float *row_of(const struct making *making, int row)
+{
+    return making->table + BRDF_GLASS_HEAD + row * BRDF_GLASS_ROW;
+}
+
+static void row_make(const struct making *making, int number)
+{
+    double alpha = alpha_of(number);
+    float *row = row_of(making, number);
+    float *first = row + BRDF_GLASS_MEANS, *second = first + BRDF_GLASS_COLUMNS;
+    if (making->coating) {
+        curves_make(making, alpha, 0, first, second);
+        row[BRDF_GLASS_LOSS_BELOW] = mean_loss(making, alpha);
+    } else {
+        curves_make(making, alpha, 0, NULL, first);
+        curves_make(making, alpha, 1, NULL, second);
+    }
+}
+
+/* Means of the curves as they are read. */
+static void row_average(const struct making *making, float *row)
+{
+    int below = !making->coating;
+    double first = 0.0, second = 0.0;
+    for (int i = 0; i < BRDF_GLASS_COLUMNS; ++i) {
+        const float *numbers = row + BRDF_GLASS_MEANS + i;
+        first += making->measure[0][i] * (double)numbers[0];
+        second += making->measure[below][i] * (double)numbers[BRDF_GLASS_COLUMNS];
+    }
+    row[making->coating ? BRDF_GLASS_PASS_ABOVE : BRDF_GLASS_LOSS_ABOVE] = (float)first;
+    row[making->coating ? BRDF_GLASS_LOSS_ABOVE : BRDF_GLASS_LOSS_BELOW] = (float)second;
+}
+
+static void head_make(struct making *making)
+{
+    float *table = making->table;
+    table[BRDF_GLASS_ETA] = making->eta;
+    table[BRDF_GLASS_PASS] = brdf_interface_pass(making->eta);
+    for (int below = 0; below < 2; ++below) {
+        struct brdf_glass_axis axis =
+            brdf_glass_axis_make(below ? 1.0f / making->eta : making->eta);
+        float *words = table + BRDF_GLASS_AXES + below * BRDF_GLASS_AXIS;
+        words[0] = axis.critical;
+        words[1] = axis.below_scale;
+        words[2] = axis.below_even;
+        words[3] = axis.above_scale;
+        words[4] = axis.above_width;
+    }
+}
+
+brdf_status brdf_glass_table_make(int distribution, int masking, float eta, int coating,
+                                  float **table, size_t *words, struct brdf_error *error)
+{
+    struct making *making = malloc(sizeof *making);
+    float *made = calloc(BRDF_GLASS_WORDS, sizeof *made);
+    if (!making || !made) {
+        free(making);
+        free(made);
+        return brdf_fail(error, BRDF_OUT_OF_MEMORY,
+                         "out of memory for what a rough interface does");
+    }
+    making->rule = glass_rule_make();
+    making->distribution = distribution;
+    making->masking = masking;
+    making->eta = eta;
+    making->coating = coating;
+    making->table = made;
+    head_make(making);
+    side_prepare(making, 0);
+    side_prepare(making, 1);
+    for (int row = 0; row < BRDF_GLASS_ROWS; row += ROW_STEP) {
+        row_make(making, row);
+    }
+    for (int word = 0; word < BRDF_GLASS_ROW; ++word) {
+        fill(row_of(making, 0) + word, BRDF_GLASS_ROWS, BRDF_GLASS_ROW, ROW_STEP);
+    }
+    for (int row = 0; row < BRDF_GLASS_ROWS; ++row) {
+        row_average(making, row_of(making, row));
+    }
+    free(making);
     *table = made;
     *words = BRDF_GLASS_WORDS;
     return BRDF_OK;

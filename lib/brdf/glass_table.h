@@ -1,5 +1,5 @@
 /*
- * glass_table.h - computing the table of glass.h (internal).
+ * glass_table.h - computing the table of glass_curve.h (internal).
  */
 #ifndef BRDF_GLASS_TABLE_H
 #define BRDF_GLASS_TABLE_H
@@ -9,10 +9,12 @@
 #include "brdf/status.h"
 
 /*
- * What rough glass loses whose index below over that above is eta; distribution and masking as in
- * microfacet.h. *table, of *words words, is to be freed with free(). BRDF_OUT_OF_MEMORY.
+ * A rough interface whose index below over that above is eta; distribution and masking as in
+ * microfacet.h. If `coating`, the curves are what passes and what is lost from above (coating.h),
+ * otherwise what is lost from above and from below (glass.h). *table, of *words words, is to be
+ * freed with free(). BRDF_OUT_OF_MEMORY.
  */
-brdf_status brdf_glass_table_make(int distribution, int masking, float eta, float **table,
-                                  size_t *words, struct brdf_error *error);
+brdf_status brdf_glass_table_make(int distribution, int masking, float eta, int coating,
+                                  float **table, size_t *words, struct brdf_error *error);
 
 #endif

@@ -118,12 +118,12 @@ brdf_status brdf_table_compute(const struct brdf_material *material, float **tab
                                struct brdf_error *error)
 {
     const struct brdf_model_info *model = brdf_model_info((int)material->model);
-    if (option_of(model, material, "multiscatter") == 0) {
+    int coating = model->tag == BRDF_MODEL_ROUGHPLASTIC; /* has one with every option */
+    if (!coating && option_of(model, material, "multiscatter") == 0) {
         return BRDF_OK;
     }
-    int has_masking = brdf_parameter_find(model, "masking") != NULL;
-    int masking = has_masking ? option_of(model, material, "masking") : BRDF_MASKING_SEPARABLE;
+    int masking = coating ? BRDF_MASKING_SEPARABLE : option_of(model, material, "masking");
     float eta = value_of(model, material, "int_ior") / value_of(model, material, "ext_ior");
-    return brdf_glass_table_make(option_of(model, material, "distribution"), masking, eta, table,
-                                 words, error);
+    return brdf_glass_table_make(option_of(model, material, "distribution"), masking, eta, coating,
+                                 table, words, error);
 }

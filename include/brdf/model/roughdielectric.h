@@ -156,7 +156,7 @@ static inline brdf_real brdf_roughdielectric_loss(struct brdf_glass glass, brdf_
                                                   BRDF_GLOBAL const float *table)
 {
     brdf_real cosine = brdf_clamp(fabsf(w.z), 0.0f, 1.0f);
-    brdf_real loss = brdf_glass_loss(table, w.z > 0.0f, glass.alpha, cosine);
+    brdf_real loss = brdf_glass_loss(table, glass, w.z > 0.0f, cosine);
     brdf_mask vanishes = brdf_roughdielectric_vanishes(glass.eta);
     return brdf_pick(vanishes | (w.z == 0.0f), 0.0f, loss);
 }

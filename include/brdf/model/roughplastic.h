@@ -5,19 +5,19 @@
  *   f = F D G / (4 cos(wo) cos(wi))
  *     + T(wo) T(wi) / (eta^2 pi) * rho / (1 - rho K)
  * The interface is that of roughdielectric [Walter et al. 2007, eq. 20]; T is what it lets through
- * of a direction and K what it throws back of diffuse light from within, by fits (coating.h). G is
- * separable, as in Mitsuba 3. Light that would meet several facets is lost, in each passage, unless
- * `multiscatter` brings it back: by a lobe of its own, and into T and K (Kulla and Conty 2017, by
- * glass.h).
- * `nonlinear` = false puts K in the place of rho K. eta below 1.1 or above 2.5 counts as these in
- * the diffuse part.
+ * of a direction and K what it throws back of diffuse light from within, by a table (coating.h). G
+ * is separable, as in Mitsuba 3. Light that would meet several facets is lost, in each passage,
+ * unless `multiscatter` brings it back: by a lobe of its own, and into T and K (Kulla and Conty
+ * 2017).
+ * `nonlinear` = false puts K in the place of rho K. The table is for one pair of indices: where
+ * they vary over a surface, they do so in F only.
  */
 #ifndef BRDF_MODEL_ROUGHPLASTIC_H
 #define BRDF_MODEL_ROUGHPLASTIC_H
 
 #include "../coating.h"
 #include "../energy.h"
-#include "../glass.h"
+#include "../interface.h"
 #include "../parameters.h"
 #include "../sample.h"
 #include "../warp.h"
@@ -36,11 +36,6 @@ struct brdf_roughplastic {
     BRDF_ROUGHPLASTIC_PARAMETERS(BRDF_FIELD)
 };
 
-static inline struct brdf_coating brdf_roughplastic_coating(struct brdf_roughplastic p)
-{
-    return brdf_coating_make(p.distribution, p.alpha, p.int_ior / p.ext_ior);
-}
-
 static inline brdf_rgb brdf_roughplastic_specular(struct brdf_roughplastic p, brdf_vec3 wo,
                                                   brdf_vec3 wi)
 {
@@ -54,48 +49,21 @@ static inline brdf_rgb brdf_roughplastic_specular(struct brdf_roughplastic p, br
     return brdf_rgb_scale(p.specular_reflectance, 0.25f * fresnel * d * g);
 }
 
-static inline struct brdf_glass brdf_roughplastic_glass(struct brdf_roughplastic p,
-                                                        BRDF_GLOBAL const float *table)
+/* Light that has been in the base, and that which has met several facets and not the base. */
+static inline brdf_rgb brdf_roughplastic_diffuse(struct brdf_roughplastic p, brdf_vec3 wo,
+                                                 brdf_vec3 wi, BRDF_GLOBAL const float *table)
 {
-    return brdf_glass_make(table, p.alpha, p.int_ior / p.ext_ior);
-}
-
-/* What one facet of the interface loses of light from w above. */
-static inline brdf_real brdf_roughplastic_loss(struct brdf_glass glass, brdf_vec3 w,
-                                               BRDF_GLOBAL const float *table)
-{
-    return brdf_glass_loss(table, brdf_mask_of(1), glass.alpha, brdf_clamp(w.z, 0.0f, 1.0f));
-}
-
-static inline brdf_rgb brdf_roughplastic_base(struct brdf_roughplastic p, brdf_vec3 wo,
-                                              brdf_vec3 wi, BRDF_GLOBAL const float *table)
-{
-    struct brdf_coating coating = brdf_roughplastic_coating(p);
-    struct brdf_coating_curve curve = brdf_coating_curve_of(coating);
-    brdf_real pass_o = brdf_coating_pass(coating, curve, brdf_clamp(wo.z, 0.0f, 1.0f));
-    brdf_real pass_i = brdf_coating_pass(coating, curve, brdf_clamp(wi.z, 0.0f, 1.0f));
-    brdf_real escape = brdf_coating_escape(coating);
+    struct brdf_coating coating = brdf_coating_make(table, p.alpha, p.multiscatter);
+    struct brdf_coating_view o = brdf_coating_view_of(table, coating, p.multiscatter, wo.z);
+    struct brdf_coating_view i = brdf_coating_view_of(table, coating, p.multiscatter, wi.z);
+    brdf_real passes = brdf_coating_pass(coating, o) * brdf_coating_pass(coating, i);
+    brdf_rgb base = brdf_interface_base(p.diffuse_reflectance, coating.escape, p.nonlinear);
+    brdf_rgb f = brdf_rgb_scale(base, passes * BRDF_1_PI / coating.eta2);
     if (p.multiscatter) {
-        struct brdf_glass glass = brdf_roughplastic_glass(p, table);
-        brdf_real through = brdf_glass_through(glass, brdf_mask_of(1));
-        brdf_real back = 1.0f - brdf_glass_through(glass, brdf_mask_of(0));
-        pass_o += through * brdf_roughplastic_loss(glass, wo, table);
-        pass_i += through * brdf_roughplastic_loss(glass, wi, table);
-        escape = brdf_max(escape - back * glass.mean_below, 0.01f);
+        brdf_real lobe = (o.loss * i.loss) * (1.0f - coating.through) / coating.mean_loss;
+        f = brdf_rgb_add(f, brdf_rgb_scale(p.specular_reflectance, lobe * BRDF_1_PI));
     }
-    brdf_rgb base = brdf_interface_base(p.diffuse_reflectance, escape, p.nonlinear);
-    return brdf_rgb_scale(base, pass_o * pass_i * BRDF_1_PI / (coating.eta * coating.eta));
-}
-
-/* The lobe of light that has met several facets of the interface and not the base. */
-static inline brdf_rgb brdf_roughplastic_lobe(struct brdf_roughplastic p, brdf_vec3 wo,
-                                              brdf_vec3 wi, BRDF_GLOBAL const float *table)
-{
-    struct brdf_glass glass = brdf_roughplastic_glass(p, table);
-    brdf_mask above = brdf_mask_of(1);
-    brdf_real lobe = brdf_glass_lobe(glass, above, above, brdf_roughplastic_loss(glass, wo, table),
-                                     brdf_roughplastic_loss(glass, wi, table));
-    return brdf_rgb_scale(p.specular_reflectance, lobe);
+    return f;
 }
 
 /* The probabilities of sampling the mirroring facets and that lobe; the rest is the base's. */
@@ -110,12 +78,11 @@ brdf_roughplastic_shares_of(struct brdf_roughplastic p, brdf_vec3 wo,
                             BRDF_GLOBAL const float *table)
 {
     brdf_real guess =
-        brdf_coating_guess(brdf_roughplastic_coating(p), brdf_clamp(wo.z, 0.0f, 1.0f));
+        brdf_coating_guess(p.alpha, p.int_ior / p.ext_ior, brdf_clamp(wo.z, 0.0f, 1.0f));
     brdf_real several = 0.0f;
     if (p.multiscatter) {
-        struct brdf_glass glass = brdf_roughplastic_glass(p, table);
-        several = (1.0f - brdf_glass_through(glass, brdf_mask_of(1))) *
-                  brdf_roughplastic_loss(glass, wo, table);
+        struct brdf_coating coating = brdf_coating_make(table, p.alpha, 1);
+        several = (1.0f - coating.through) * brdf_coating_view_of(table, coating, 1, wo.z).loss;
     }
     brdf_real most = brdf_rgb_largest(p.specular_reflectance);
     brdf_real diffuse = guess * brdf_rgb_largest(p.diffuse_reflectance);
@@ -131,10 +98,7 @@ static inline brdf_rgb brdf_roughplastic_eval(struct brdf_roughplastic p, brdf_v
 {
     brdf_mask above = (wo.z > 0.0f) & (wi.z > 0.0f);
     brdf_rgb f = brdf_rgb_add(brdf_roughplastic_specular(p, wo, wi),
-                              brdf_roughplastic_base(p, wo, wi, table));
-    if (p.multiscatter) {
-        f = brdf_rgb_add(f, brdf_roughplastic_lobe(p, wo, wi, table));
-    }
+                              brdf_roughplastic_diffuse(p, wo, wi, table));
     return brdf_rgb_pick(above, f, brdf_gray(0.0f));
 }
 
