@@ -30,7 +30,7 @@ static brdf_status refuse_model(const char *name, struct brdf_error *error)
 }
 
 brdf_status brdf_bsdf_build(const char *model, const struct brdf_setting *settings, size_t count,
-                            const struct brdf_origin *origin, struct brdf_bsdf **out,
+                            const struct brdf_origin *origin, int fixed, struct brdf_bsdf **out,
                             struct brdf_error *error)
 {
     brdf_status status = BRDF_OK;
@@ -52,7 +52,8 @@ brdf_status brdf_bsdf_build(const char *model, const struct brdf_setting *settin
             brdf_table_load(&bsdf->material, bsdf->file, &bsdf->table, &bsdf->table_words, error);
     }
     if (!status && info->flags & BRDF_COMPUTED) {
-        status = brdf_table_compute(&bsdf->material, &bsdf->table, &bsdf->table_words, error);
+        status =
+            brdf_table_compute(&bsdf->material, fixed, &bsdf->table, &bsdf->table_words, error);
     }
     if (!status) {
         bsdf->parameters =
@@ -68,7 +69,7 @@ done:
 brdf_status brdf_bsdf_create_from(const char *model, const struct brdf_setting *settings,
                                   size_t count, struct brdf_bsdf **out, struct brdf_error *error)
 {
-    return brdf_bsdf_build(model, settings, count, NULL, out, error);
+    return brdf_bsdf_build(model, settings, count, NULL, 0, out, error);
 }
 
 void brdf_bsdf_destroy(struct brdf_bsdf *bsdf)

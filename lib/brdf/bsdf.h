@@ -27,9 +27,12 @@ struct brdf_origin {
     const size_t *place;
 };
 
-/* brdf_bsdf_create_from, with the origin of the settings or NULL. */
+/*
+ * brdf_bsdf_create_from, with the origin of the settings or NULL. `fixed`: never to be evaluated
+ * with other parameters than its own, so that less of a table need be computed.
+ */
 brdf_status brdf_bsdf_build(const char *model, const struct brdf_setting *settings, size_t count,
-                            const struct brdf_origin *origin, struct brdf_bsdf **out,
+                            const struct brdf_origin *origin, int fixed, struct brdf_bsdf **out,
                             struct brdf_error *error);
 
 /*
@@ -52,9 +55,10 @@ brdf_status brdf_table_load(const struct brdf_material *material, char *const fi
                             float **table, size_t *words, struct brdf_error *error);
 
 /*
- * The table that the material's options need, computed; left alone where they need none. tables.c
+ * The table that the material's options need, computed; left alone where they need none. `fixed` as
+ * above. tables.c
  */
-brdf_status brdf_table_compute(const struct brdf_material *material, float **table, size_t *words,
-                               struct brdf_error *error);
+brdf_status brdf_table_compute(const struct brdf_material *material, int fixed, float **table,
+                               size_t *words, struct brdf_error *error);
 
 #endif

@@ -138,7 +138,7 @@ brdf_status brdf_bsdf_create(const char *description, struct brdf_bsdf **out,
     }
     if (!status) {
         struct brdf_origin origin = {description, r.places};
-        status = brdf_bsdf_build(model, r.settings, r.count, &origin, out, error);
+        status = brdf_bsdf_build(model, r.settings, r.count, &origin, 0, out, error);
     }
 done:
     free(r.text);

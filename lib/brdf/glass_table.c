@@ -23,9 +23,7 @@ enum {
 /* A table in the making. */
 struct making {
     struct glass_rule rule;
-    int distribution;
-    int masking;
-    float eta;
+    const struct glass_surface *surface; /* from above */
     int coating;
     double cosine[2][BRDF_GLASS_COLUMNS];  /* of the columns, from above and from below */
     double measure[2][BRDF_GLASS_COLUMNS]; /* integrals of 2 mu times the column's hat */
@@ -138,8 +136,9 @@ static void fill(float *numbers, int count, int stride, int step)
 
 static struct glass_surface surface_of(const struct making *making, double alpha, int below)
 {
-    struct glass_surface surface = {making->distribution, making->masking, alpha,
-                                    (double)(below ? 1.0f / making->eta : making->eta)};
+    struct glass_surface surface = *making->surface;
+    surface.alpha = alpha;
+    surface.eta = below ? 1.0 / surface.eta : surface.eta;
     return surface;
 }
 
@@ -229,11 +228,11 @@ static void row_average(const struct making *making, float *row)
 static void head_make(struct making *making)
 {
     float *table = making->table;
-    table[BRDF_GLASS_ETA] = making->eta;
-    table[BRDF_GLASS_PASS] = brdf_interface_pass(making->eta);
+    float eta = (float)making->surface->eta;
+    table[BRDF_GLASS_ETA] = eta;
+    table[BRDF_GLASS_PASS] = brdf_interface_pass(eta);
     for (int below = 0; below < 2; ++below) {
-        struct brdf_glass_axis axis =
-            brdf_glass_axis_make(below ? 1.0f / making->eta : making->eta);
+        struct brdf_glass_axis axis = brdf_glass_axis_make(below ? 1.0f / eta : eta);
         float *words = table + BRDF_GLASS_AXES + below * BRDF_GLASS_AXIS;
         words[0] = axis.critical;
         words[1] = axis.below_scale;
@@ -243,8 +242,28 @@ static void head_make(struct making *making)
     }
 }
 
-brdf_status brdf_glass_table_make(int distribution, int masking, float eta, int coating,
-                                  float **table, size_t *words, struct brdf_error *error)
+/* Rows by quadrature, all of them or the four around one roughness, and those between. */
+static void rows_make(struct making *making)
+{
+    int first = 0, last = ROWS - 1;
+    if (making->surface->alpha > 0.0) {
+        int row = (int)place_number(brdf_glass_row((float)making->surface->alpha)) / ROW_STEP;
+        first = row < 1 ? 0 : row > ROWS - 3 ? ROWS - 4 : row - 1;
+        last = first + 3;
+    }
+    for (int row = first; row <= last; ++row) {
+        row_make(making, row * ROW_STEP);
+    }
+    for (int word = 0; word < BRDF_GLASS_ROW; ++word) {
+        fill(row_of(making, 0) + word, BRDF_GLASS_ROWS, BRDF_GLASS_ROW, ROW_STEP);
+    }
+    for (int row = 0; row < BRDF_GLASS_ROWS; ++row) {
+        row_average(making, row_of(making, row));
+    }
+}
+
+brdf_status brdf_glass_table_make(const struct glass_surface *surface, int coating, float **table,
+                                  size_t *words, struct brdf_error *error)
 {
     struct making *making = malloc(sizeof *making);
     float *made = calloc(BRDF_GLASS_WORDS, sizeof *made);
@@ -255,23 +274,13 @@ brdf_status brdf_glass_table_make(int distribution, int masking, float eta, int 
                          "out of memory for what a rough interface does");
     }
     making->rule = glass_rule_make();
-    making->distribution = distribution;
-    making->masking = masking;
-    making->eta = eta;
+    making->surface = surface;
     making->coating = coating;
     making->table = made;
     head_make(making);
     side_prepare(making, 0);
     side_prepare(making, 1);
-    for (int row = 0; row < BRDF_GLASS_ROWS; row += ROW_STEP) {
-        row_make(making, row);
-    }
-    for (int word = 0; word < BRDF_GLASS_ROW; ++word) {
-        fill(row_of(making, 0) + word, BRDF_GLASS_ROWS, BRDF_GLASS_ROW, ROW_STEP);
-    }
-    for (int row = 0; row < BRDF_GLASS_ROWS; ++row) {
-        row_average(making, row_of(making, row));
-    }
+    rows_make(making);
     free(making);
     *table = made;
     *words = BRDF_GLASS_WORDS;

@@ -7,14 +7,15 @@
 #include <stddef.h>
 
 #include "brdf/status.h"
+#include "glass_facets.h"
 
 /*
- * A rough interface whose index below over that above is eta; distribution and masking as in
- * microfacet.h. If `coating`, the curves are what passes and what is lost from above (coating.h),
- * otherwise what is lost from above and from below (glass.h). *table, of *words words, is to be
- * freed with free(). BRDF_OUT_OF_MEMORY.
+ * A rough interface as seen from above. With alpha 0 the table is for any roughness; otherwise only
+ * the rows that this one needs are right. If `coating`, the curves are what passes and what is lost
+ * from above (coating.h), otherwise what is lost from above and from below (glass.h). *table, of
+ * *words words, is to be freed with free(). BRDF_OUT_OF_MEMORY.
  */
-brdf_status brdf_glass_table_make(int distribution, int masking, float eta, int coating,
-                                  float **table, size_t *words, struct brdf_error *error);
+brdf_status brdf_glass_table_make(const struct glass_surface *surface, int coating, float **table,
+                                  size_t *words, struct brdf_error *error);
 
 #endif

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "brdf/microfacet.h"
+#include "brdf/round.h"
 #include "glass_table.h"
 #include "merl_table.h"
 #include "rgl_table.h"
@@ -114,16 +115,29 @@ static float value_of(const struct brdf_model_info *model, const struct brdf_mat
     return material->word[brdf_parameter_place(model, p)];
 }
 
-brdf_status brdf_table_compute(const struct brdf_material *material, float **table, size_t *words,
-                               struct brdf_error *error)
+/* The one roughness that the table will be asked for. */
+static float alpha_of(const struct brdf_model_info *model, const struct brdf_material *material)
+{
+    if (model->tag == BRDF_MODEL_ROUGHPLASTIC) {
+        return value_of(model, material, "alpha");
+    }
+    return brdf_round_make(BRDF_ROUND_SMITH, value_of(model, material, "alpha_u"),
+                           value_of(model, material, "alpha_v"))
+        .alpha;
+}
+
+brdf_status brdf_table_compute(const struct brdf_material *material, int fixed, float **table,
+                               size_t *words, struct brdf_error *error)
 {
     const struct brdf_model_info *model = brdf_model_info((int)material->model);
     int coating = model->tag == BRDF_MODEL_ROUGHPLASTIC; /* has one with every option */
     if (!coating && option_of(model, material, "multiscatter") == 0) {
         return BRDF_OK;
     }
-    int masking = coating ? BRDF_MASKING_SEPARABLE : option_of(model, material, "masking");
-    float eta = value_of(model, material, "int_ior") / value_of(model, material, "ext_ior");
-    return brdf_glass_table_make(option_of(model, material, "distribution"), masking, eta, coating,
-                                 table, words, error);
+    struct glass_surface surface = {option_of(model, material, "distribution"), 0, 0.0, 0.0};
+    surface.masking = coating ? BRDF_MASKING_SEPARABLE : option_of(model, material, "masking");
+    surface.alpha = fixed ? (double)alpha_of(model, material) : 0.0;
+    surface.eta =
+        (double)(value_of(model, material, "int_ior") / value_of(model, material, "ext_ior"));
+    return brdf_glass_table_make(&surface, coating, table, words, error);
 }

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "bsdf.h"
 #include "fit_space.h"
 
 /*
@@ -184,8 +185,8 @@ brdf_status fit_space_parts(const struct fit_space *space, const double *point,
         if (part->eta >= 0) {
             metal_of_reflectance(settings[i][part->eta].number, settings[i][part->k].number);
         }
-        status = brdf_bsdf_create_from(part->model->name, settings[i], (size_t)part->count,
-                                       &parts[i], error);
+        status = brdf_bsdf_build(part->model->name, settings[i], (size_t)part->count, NULL, 1,
+                                 &parts[i], error);
     }
     for (int i = 0; i < space->part_count && status; ++i) {
         brdf_bsdf_destroy(parts[i]);
