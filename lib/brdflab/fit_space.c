@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "bsdf.h"
+#include "brdf/bsdf.h"
 #include "fit_space.h"
 
 /*
