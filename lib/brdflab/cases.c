@@ -82,8 +82,9 @@ static brdf_status add_described(struct lab_cases *cases, const char *descriptio
     return BRDF_OK;
 }
 
-/* Random parameters; the table, if any, is that of the first case. */
-static void add_random(struct lab_cases *cases, int variant, struct brdfcl_random *random)
+/* Random parameters; a table that files fill is that of the first case. */
+static brdf_status add_random(struct lab_cases *cases, int variant, struct brdfcl_random *random,
+                              struct brdf_error *error)
 {
     struct lab_case *one = &cases->items[cases->count++];
     one->bsdf = cases->items[0].bsdf;
@@ -93,6 +94,13 @@ static void add_random(struct lab_cases *cases, int variant, struct brdfcl_rando
     brdfcl_check_material_change(material, cases->model, random);
     one->bsdf.parameters = brdf_parameters_load(material->model, material->choices, material->word);
     brdfcl_check_material_describe(material, cases->model, one->text, sizeof one->text);
+    if (!(cases->model->flags & BRDF_COMPUTED)) {
+        return BRDF_OK;
+    }
+    one->is_made = 1;
+    one->bsdf.table = NULL;
+    one->bsdf.table_words = 0;
+    return brdf_table_compute(material, 1, &one->bsdf.table, &one->bsdf.table_words, error);
 }
 
 brdf_status lab_cases_create(const struct brdf_model_info *model, struct lab_cases *cases,
@@ -114,7 +122,7 @@ brdf_status lab_cases_create(const struct brdf_model_info *model, struct lab_cas
     struct brdfcl_random random = {7};
     int variants = brdfcl_check_variant_count(model);
     for (size_t i = 0; i < random_count(model) && !status; ++i) {
-        add_random(cases, (int)i % variants, &random);
+        status = add_random(cases, (int)i % variants, &random, error);
     }
     if (status) {
         lab_cases_destroy(cases);
