@@ -69,12 +69,13 @@ static inline brdf_real brdf_ward_lobe_pdf(struct brdf_ward p, struct brdf_half 
 static inline brdf_real brdf_ward_lobe_weight(struct brdf_ward p, struct brdf_half h,
                                               brdf_real cos_o, brdf_real cos_i)
 {
-    brdf_real o = brdf_max(cos_o, 1e-10f); /* as in the lobe */
-    brdf_real i = brdf_max(cos_i, 1e-10f);
+    brdf_real z = brdf_max(h.sum.z, 1e-9f); /* the floors are those of z2 and of the lobe */
     if (p.variant == BRDF_WARD_BALANCED) {
-        return 2.0f * i / (i + o);
+        return 2.0f * cos_i / z;
     }
-    brdf_real weight = 0.5f * h.sum.z * cos_i / (1.0f + h.tan2);
+    brdf_real o = brdf_max(cos_o, 1e-10f);
+    brdf_real i = brdf_max(cos_i, 1e-10f);
+    brdf_real weight = 0.5f * z * cos_i / (1.0f + h.tan2);
     return weight / (p.variant == BRDF_WARD_1992 ? sqrtf(o * i) : o * i);
 }
 
