@@ -7,8 +7,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "brdfcl/check_random.h"
+#include <brdf/model.h>
+
 #include "lattice.h"
+#include "pilot.h"
 #include "sphere.h"
 #include "statistics.h"
 
@@ -37,17 +39,20 @@ brdf_vec3 lab_view_direction(int number)
         brdf_vec3_make((float)(radius * cos(phi)), (float)(radius * sin(phi)), (float)cos(theta)));
 }
 
+int lab_view_count(unsigned flags)
+{
+    int inside = (flags & (BRDF_TRANSMISSION | BRDF_TWOSIDED)) != 0;
+    int count = 0;
+    while (count < LAB_VIEWS && (lab_view_angle[count] < 90.0 || inside)) {
+        ++count;
+    }
+    return count;
+}
+
 static double density(brdf_vec3 w, void *data)
 {
     const struct view *view = data;
     return (double)brdf_pdf(view->bsdf, view->wo, w);
-}
-
-static brdf_vec3 random_cube(struct brdfcl_random *random)
-{
-    float x = brdfcl_random_uniform(random);
-    float y = brdfcl_random_uniform(random);
-    return brdf_vec3_make(x, y, brdfcl_random_uniform(random));
 }
 
 /* Cells from a pilot of so many samples. */
@@ -57,31 +62,13 @@ static brdf_status view_open(struct view *view, const struct brdf_bsdf *bsdf, in
     view->bsdf = bsdf;
     view->number = number;
     view->wo = lab_view_direction(number);
-    view->sphere = NULL;
     view->mass.value = view->mass.error = 0.0;
-    struct brdfcl_random random = {((unsigned long long)pilots << 20) + (unsigned long long)number};
-    brdf_vec3 *pilot = calloc((size_t)pilots, sizeof *pilot);
-    size_t count = 0;
-    for (int i = 0; i < pilots && pilot; ++i) {
-        brdf_vec3 u = random_cube(&random);
-        u.z = i % 16 ? u.z : 1e-3f * u.z; /* z chooses among lobes: rare ones need a pilot too */
-        struct brdf_sample s = brdf_sample(bsdf, view->wo, u);
-        if (s.pdf > 0.0f && !s.delta) {
-            pilot[count++] = s.wi;
-        }
+    unsigned long long seed = ((unsigned long long)pilots << 20) + (unsigned long long)number;
+    brdf_status status = lab_pilot_fly(bsdf, view->wo, pilots, seed, &view->sphere, error);
+    if (!status && view->sphere) {
+        view->mass = lab_sphere_integrate(view->sphere, density, view, 1e-3, UNRESOLVED);
     }
-    if (count) {
-        view->sphere = lab_sphere_create(pilot, count);
-    }
-    free(pilot);
-    if (!pilot || (count && !view->sphere)) {
-        return brdf_fail(error, BRDF_OUT_OF_MEMORY, "out of memory for the cells of a test");
-    }
-    if (count) {
-        view->mass = lab_sphere_integrate(view->sphere, density, view, lab_sphere_depth(bsdf), 1e-3,
-                                          UNRESOLVED);
-    }
-    return BRDF_OK;
+    return status;
 }
 
 /* The chance of a sample that pdf knows of: what the integral of pdf should be. */
@@ -104,7 +91,7 @@ static double count_samples(const struct view *view, size_t samples, unsigned lo
                                    (unsigned long long)view->number};
     double found = 0.0;
     for (size_t k = 0; k < samples; ++k) {
-        struct brdf_sample s = brdf_sample(view->bsdf, view->wo, random_cube(&random));
+        struct brdf_sample s = brdf_sample(view->bsdf, view->wo, lab_random_cube(&random));
         if (s.pdf > 0.0f && !s.delta) {
             bins[lab_sphere_find(view->sphere, s.wi)].observed += 1.0;
             found += 1.0;

@@ -22,6 +22,9 @@ enum { LAB_VIEWS = 8 };
 extern const double lab_view_angle[LAB_VIEWS];
 brdf_vec3 lab_view_direction(int number);
 
+/* How many of them, the first ones, show something of a material with these flags. */
+int lab_view_count(unsigned flags);
+
 struct lab_density {
     struct lab_finding mass; /* |integral of pdf - chance of a sample|, up to 2e-3 */
     struct lab_finding chi2; /* p of Pearson's test, at least the limit given */

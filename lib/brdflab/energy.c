@@ -11,6 +11,7 @@
 
 #include "albedo.h"
 #include "lattice.h"
+#include "pilot.h"
 
 enum { PILOT = 8192 };
 
@@ -50,26 +51,16 @@ brdf_status lab_energy_integrated(const struct brdf_bsdf *bsdf, brdf_vec3 wo,
                                   struct brdf_error *error)
 {
     struct view view = {bsdf, wo};
-    struct lab_lattice lattice = lab_lattice_make(3, seed);
-    struct lab_sphere *sphere = NULL;
-    brdf_vec3 *pilot = calloc(PILOT, sizeof *pilot);
-    size_t count = 0;
-    for (size_t i = 0; i < PILOT && pilot; ++i) {
-        struct brdf_sample s = brdf_sample(bsdf, wo, lab_lattice_cube(&lattice, i));
-        if (s.pdf > 0.0f && !s.delta) {
-            pilot[count++] = s.wi;
-        }
+    struct lab_sphere *sphere;
+    brdf_status status = lab_pilot_fly(bsdf, wo, PILOT, seed, &sphere, error);
+    sum->value = sum->error = 0.0;
+    if (!status && sphere) {
+        /* What is 18 by its parameters may be off by more than what is 1. */
+        double scale = fmax(lab_energy_sampled(bsdf, wo, 4096).value, 1.0);
+        *sum = lab_sphere_integrate(sphere, f_cos, &view, 1e-4, 1e-3 * scale);
     }
-    if (pilot) {
-        sphere = lab_sphere_create(pilot, count);
-    }
-    free(pilot);
-    if (!sphere) {
-        return brdf_fail(error, BRDF_OUT_OF_MEMORY, "out of memory for the cells of an integral");
-    }
-    *sum = lab_sphere_integrate(sphere, f_cos, &view, LAB_SPHERE_DEPTH, 1e-4, 1e-3);
     lab_sphere_destroy(sphere);
-    return BRDF_OK;
+    return status;
 }
 
 static double angle_of(brdf_vec3 wo)
@@ -115,7 +106,7 @@ brdf_status lab_try_albedo(const struct brdf_bsdf *bsdf, brdf_vec3 wo, size_t sa
     judge_albedo(finding, sampled, integral.value);
     if (sampled.value == 0.0 && integral.value == 0.0) {
         lab_finding_set(finding, LAB_NONE, "black but for deltas");
-    } else if (integral.error > 5e-4) {
+    } else if (integral.error > 0.5 * finding->limit) {
         lab_finding_set(finding, LAB_OPEN, "too narrow to be resolved");
     } else if (finding->verdict == LAB_FAIL) {
         /* A sample in 100,000 may weigh 1000: into a medium that is 30 times thinner. */

@@ -10,21 +10,28 @@
 
 #include <stddef.h>
 
-#include <brdf/material.h>
 #include <brdf/vec.h>
 
 struct lab_sphere_node {
     double low[2]; /* q, t */
     double high[2];
     int child;       /* the first of two, or -1: this is a cell */
-    int pilots;      /* of the directions that it was cut for, those inside */
+    size_t first;    /* of the directions that it was cut for, those inside: where they begin */
+    size_t pilots;   /* and how many they are */
     double integral; /* of a cell: what lab_sphere_integrate has found */
+};
+
+/* A direction in these coordinates. */
+struct lab_sphere_point {
+    double at[2]; /* q, t */
+    double value; /* of what lab_sphere_integrate integrates */
 };
 
 struct lab_sphere {
     struct lab_sphere_node *nodes; /* the first 512 are the roots */
     size_t count;
     size_t capacity;
+    struct lab_sphere_point *points; /* the pilot directions, in the order of the cells */
     size_t pilots;
 };
 
@@ -37,9 +44,13 @@ void lab_sphere_destroy(struct lab_sphere *sphere);
 /* The number of the cell that holds w: an index of `nodes`. */
 size_t lab_sphere_find(const struct lab_sphere *sphere, brdf_vec3 w);
 
-/* The two halves of a node along an axis, 0 (q) or 1 (t). */
-void lab_sphere_halve(const struct lab_sphere_node *node, int axis,
+/* The two halves of a node along an axis, 0 (q) or 1 (t); the pilots inside are put into their
+   order. */
+void lab_sphere_halve(const struct lab_sphere_node *node, int axis, struct lab_sphere_point *points,
                       struct lab_sphere_node child[2]);
+
+/* Sides of a node as angles on the sphere: along theta and along phi. */
+void lab_sphere_extent(const struct lab_sphere_node *node, double angle[2]);
 
 struct lab_sphere_sum {
     double value;
@@ -47,18 +58,13 @@ struct lab_sphere_sum {
 };
 
 /*
- * Integrate f over each cell, to about `tolerance` of its value, quartering it up to `depth` times;
- * f should be large where the pilot directions are dense. Gives up as soon as the error exceeds
- * `give_up`: f is not resolved.
+ * Integrate f over each cell, to about `tolerance` of its value, quartering it up to six times. A
+ * peak that falls between the places where f is asked for would go unseen; so f is asked for at the
+ * pilot directions and at the corners too (the poles are corners, and lobes like to be there), and
+ * a cell where it is much larger is halved until what is asked for comes near. Gives up as soon as
+ * the error exceeds `give_up`: f is not resolved.
  */
-enum {
-    LAB_SPHERE_DEPTH = 3,      /* enough for what is smooth */
-    LAB_SPHERE_DEPTH_STEPS = 6 /* for what jumps, as the density of a table does between its bins */
-};
 struct lab_sphere_sum lab_sphere_integrate(struct lab_sphere *sphere, lab_sphere_function *f,
-                                           void *data, int depth, double tolerance, double give_up);
-
-/* The depth that the density of a material needs. */
-int lab_sphere_depth(const struct brdf_bsdf *bsdf);
+                                           void *data, double tolerance, double give_up);
 
 #endif
