@@ -25,7 +25,7 @@ static const char summary[] =
     "fails.\n"
     "With --all the cases of every model, or of the models named: initial and "
     "random\n"
-    "parameters in every variant.";
+    "parameters in every variant; chi-square is then judged at 0.01 over all cases of all models.";
 
 void test_note(struct test_run *run, const struct lab_finding *finding)
 {

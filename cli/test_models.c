@@ -6,7 +6,6 @@
 #include <brdf/info.h>
 
 #include "brdflab/cases.h"
-#include "brdflab/density.h"
 #include "say.h"
 #include "test.h"
 
@@ -144,10 +143,9 @@ brdf_status test_models(struct test_run *run, const struct texts *names, struct 
     int tags[256];
     int count = choose_models(names, tags, error);
     brdf_status status = count < 0 ? BRDF_UNKNOWN_NAME : BRDF_OK;
-    run->trial.comparisons = 0;
-    for (int i = 0; i < count; ++i) {
-        run->trial.comparisons += LAB_VIEWS * lab_cases_count(brdf_model_info(tags[i]));
-    }
+    /* The same for some models as for all: p of a model does not depend on who else is asked. */
+    run->trial.comparisons = lab_suite_comparisons();
+    json_int(&run->json, "comparisons", (long long)run->trial.comparisons);
     if (!status && run->is_printing) {
         printf("%-17s %5s %5s %4s %9s %9s %9s %9s %9s %9s %9s %6s\n", "model", "cases", "views",
                "open", "least p", "mass", "2 albedos", "recipr.", "weight", "energy", "faults",

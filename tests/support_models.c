@@ -42,15 +42,6 @@ brdf_vec3 models_even_point(size_t i, size_t count)
                           brdf_min(z, BRDF_ONE_MINUS_ULP));
 }
 
-size_t models_case_count(void)
-{
-    size_t count = 0;
-    for (int tag = 0; tag < brdf_model_count(); ++tag) {
-        count += lab_cases_count(brdf_model_info(tag));
-    }
-    return count;
-}
-
 void models_fail(struct model_cases *cases, const struct lab_case *one, const char *format, ...)
 {
     if (cases->failures++ >= SHOWN_FAILURES) {

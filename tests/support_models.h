@@ -34,9 +34,6 @@ struct model_check {
  */
 int models_run(const struct model_check *checks, size_t count);
 
-/* How many cases all models have together. */
-size_t models_case_count(void);
-
 /* 1 if the suite has been asked for its long form, with BRDFCL_TEST_LONG=1 in the environment. */
 int models_long(void);
 

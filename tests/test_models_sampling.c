@@ -28,7 +28,7 @@ static size_t samples_of(const struct lab_case *one)
 static void samples_have_the_density(void **state)
 {
     struct model_cases *cases = *state;
-    double limit = lab_sidak(0.01, models_case_count() * LAB_VIEWS);
+    double limit = lab_sidak(0.01, lab_suite_comparisons());
     size_t views = 0;
     size_t unresolved = 0;
     for (size_t i = 0; i < cases->set.count; ++i) {

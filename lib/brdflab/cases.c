@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "brdfcl/check_cases.h"
+#include "density.h"
 
 /* Cases beside the initial parameters and the random ones. */
 static const char *const more_cases[] = {
@@ -61,6 +62,32 @@ size_t lab_cases_count(const struct brdf_model_info *model)
     size_t count = 1 + random_count(model);
     for (size_t i = 0; i < COUNT(more_cases); ++i) {
         count += (size_t)is_of(more_cases[i], model);
+    }
+    return count;
+}
+
+/* Those described in words are not mirrored. */
+static size_t comparisons_of(const struct brdf_model_info *model)
+{
+    if (model->flags & BRDF_DELTA) {
+        return 0;
+    }
+    struct brdf_material material = {.flags = model->flags};
+    size_t random = random_count(model);
+    int variants = brdfcl_check_variant_count(model);
+    size_t views = (lab_cases_count(model) - random) * (size_t)lab_view_count(model->flags);
+    for (size_t i = 0; i < random; ++i) {
+        brdfcl_check_material_vary(&material, model, (int)i % variants);
+        views += (size_t)lab_view_count(material.flags);
+    }
+    return views;
+}
+
+size_t lab_suite_comparisons(void)
+{
+    size_t count = 0;
+    for (int tag = 0; tag < brdf_model_count(); ++tag) {
+        count += comparisons_of(brdf_model_info(tag));
     }
     return count;
 }

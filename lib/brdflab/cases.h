@@ -31,6 +31,10 @@ struct lab_cases {
 /* How many cases a model has. */
 size_t lab_cases_count(const struct brdf_model_info *model);
 
+/* How many chi-square tests the cases of all models are together: one for each view of each that
+   shows something (density.h). What significance over the whole suite refers to. */
+size_t lab_suite_comparisons(void);
+
 /* Make the cases of a model, for the caller to destroy. The errors of brdf_bsdf_create. */
 brdf_status lab_cases_create(const struct brdf_model_info *model, struct lab_cases *cases,
                              struct brdf_error *error);

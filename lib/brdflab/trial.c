@@ -3,6 +3,8 @@
  */
 #include "trial.h"
 
+#include <brdf/model.h>
+
 #include "albedo.h"
 #include "density.h"
 #include "energy.h"
@@ -53,10 +55,7 @@ static brdf_status run_view(const struct lab_trial *trial, const struct brdf_bsd
 brdf_status lab_trial_run(const struct lab_trial *trial, const struct brdf_bsdf *bsdf,
                           lab_trial_report *report, void *data, struct brdf_error *error)
 {
-    int views = 0;
-    while (views < LAB_VIEWS && (lab_view_angle[views] < 90.0 || lab_seen_from_below(bsdf))) {
-        ++views;
-    }
+    int views = lab_view_count(brdf_bsdf_material(bsdf)->flags);
     size_t comparisons = trial->comparisons ? trial->comparisons : (size_t)views;
     double limit = lab_sidak(trial->significance, comparisons);
     brdf_status status = BRDF_OK;

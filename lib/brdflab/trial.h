@@ -16,7 +16,8 @@ struct lab_trial {
     size_t samples;          /* of a chi-square test */
     unsigned long long seed; /* another seed, other inputs and samples */
     double significance;     /* of all chi-square tests together, 0.01 for example */
-    size_t comparisons;      /* how many chi-square tests that are; 0: those of this material */
+    size_t comparisons;      /* how many chi-square tests that are (cases.h knows how many the
+                                suite has); 0: those of this material */
 };
 
 /* Is told each finding as soon as there is one. */
