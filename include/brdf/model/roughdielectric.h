@@ -224,9 +224,9 @@ static inline struct brdf_sample brdf_roughdielectric_sample(struct brdf_roughdi
     brdf_real pdf = brdf_roughdielectric_pdf(p, wo, s.wi, table);
     brdf_mask arrives = several | (s.pdf > 0.0f);
     brdf_mask valid = arrives & (pdf > 1e-30f) & (s.delta == 0);
-    brdf_real scale = fabsf(s.wi.z) / brdf_pick(valid, pdf, 1.0f);
-    brdf_rgb weight = brdf_rgb_scale(brdf_roughdielectric_eval(p, wo, s.wi, table), scale);
-    s.weight = brdf_rgb_pick(valid, weight, s.weight);
+    brdf_rgb f = brdf_roughdielectric_eval(p, wo, s.wi, table);
+    struct brdf_sample either = brdf_sample_weigh(valid, s.wi, f, pdf);
+    s.weight = brdf_rgb_pick(valid, either.weight, s.weight);
     s.pdf = brdf_pick(valid, pdf, s.pdf);
     return brdf_sample_where((wo.z != 0.0f) & (valid | s.delta), s);
 }
