@@ -57,6 +57,22 @@ struct exr_sample {
     int deep;
 };
 
+/* Three channels in lines, with the corner at 0, 0. */
+static inline struct exr_sample sample_plain(exr_pixel_type_t type, int width, int height)
+{
+    struct exr_sample sample;
+    memset(&sample, 0, sizeof sample);
+    sample.channels[0] = "B";
+    sample.channels[1] = "G";
+    sample.channels[2] = "R";
+    sample.type = type;
+    sample.compression = EXR_COMPRESSION_ZIP;
+    sample.data.max.x = width - 1;
+    sample.data.max.y = height - 1;
+    sample.display = sample.data;
+    return sample;
+}
+
 static inline void sample_silent(exr_const_context_t context, exr_result_t code, const char *text)
 {
     (void)context;

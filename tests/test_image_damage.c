@@ -75,21 +75,6 @@ static void a_pipe_is_not_waited_for(void **state)
     assert_int_equal(unlink(path), 0);
 }
 
-static struct exr_sample plain_sample(void)
-{
-    struct exr_sample sample;
-    memset(&sample, 0, sizeof sample);
-    sample.channels[0] = "B";
-    sample.channels[1] = "G";
-    sample.channels[2] = "R";
-    sample.type = EXR_PIXEL_HALF;
-    sample.compression = EXR_COMPRESSION_ZIP;
-    sample.data.max.x = 4;
-    sample.data.max.y = 2;
-    sample.display = sample.data;
-    return sample;
-}
-
 static void channels_that_are_missing(void **state)
 {
     static const struct {
@@ -103,7 +88,7 @@ static void channels_that_are_missing(void **state)
     };
     (void)state;
     for (size_t i = 0; i < sizeof sets / sizeof sets[0]; i++) {
-        struct exr_sample sample = plain_sample();
+        struct exr_sample sample = sample_plain(EXR_PIXEL_HALF, 5, 3);
         memcpy(sample.channels, sets[i].channels, sizeof sample.channels);
         exr_sample_write(path, &sample);
         check_refused(BRDF_BAD_FILE, path, sets[i].words);
@@ -116,7 +101,7 @@ static void kinds_that_are_not_supported(void **state)
                                                    0.128f, 0.044f, 0.32168f, 0.33767f};
     static const exr_attr_chromaticities_t near = {0.6401f, 0.33f, 0.2999f,  0.6f,
                                                    0.15f,   0.06f, 0.31271f, 0.32902f};
-    struct exr_sample sample = plain_sample();
+    struct exr_sample sample = sample_plain(EXR_PIXEL_HALF, 5, 3);
     struct brdfcl_image image;
     (void)state;
     sample.primaries = &aces;
@@ -131,7 +116,7 @@ static void kinds_that_are_not_supported(void **state)
     sample.compression = EXR_COMPRESSION_ZIPS;
     exr_sample_write(path, &sample);
     check_refused(BRDF_UNSUPPORTED, path, "deep");
-    sample = plain_sample();
+    sample = sample_plain(EXR_PIXEL_HALF, 5, 3);
     sample.sampling = 2;
     sample.data.max.x = sample.data.max.y = sample.display.max.x = sample.display.max.y = 3;
     exr_sample_write(path, &sample);
@@ -168,7 +153,7 @@ static void sizes_that_cannot_be(void **state)
       png[] = {
           {0, 5, "nothing in it"},         {5, 0, "nothing in it"}, {(1 << 20) + 1, 1, "too large"},
           {1 << 15, 1 << 14, "too large"}, {-1, 1, "too large"},    {INT32_MIN, 1, "too large"}};
-    struct exr_sample sample = plain_sample();
+    struct exr_sample sample = sample_plain(EXR_PIXEL_HALF, 5, 3);
     size_t size;
     (void)state;
     exr_sample_write(path, &sample);
@@ -241,7 +226,7 @@ static void damaged_exr(void **state)
 {
     (void)state;
     for (int i = 0; i < 4; i++) {
-        struct exr_sample sample = plain_sample();
+        struct exr_sample sample = sample_plain(EXR_PIXEL_HALF, 5, 3);
         sample.tile = i & 1 ? 4 : 0;
         sample.compression = i & 2 ? EXR_COMPRESSION_NONE : EXR_COMPRESSION_ZIP;
         exr_sample_write(path, &sample);

@@ -10,22 +10,6 @@
 
 static const char *const path = place.path;
 
-/* A sample of 16 x 13 pixels with its corner at 0, 0. */
-static struct exr_sample plain_sample(void)
-{
-    struct exr_sample sample;
-    memset(&sample, 0, sizeof sample);
-    sample.channels[0] = "B";
-    sample.channels[1] = "G";
-    sample.channels[2] = "R";
-    sample.type = EXR_PIXEL_FLOAT;
-    sample.compression = EXR_COMPRESSION_ZIP;
-    sample.data.max.x = 15;
-    sample.data.max.y = 12;
-    sample.display = sample.data;
-    return sample;
-}
-
 /*
  * Write the sample, read it, and compare every pixel. Channel holds the index of the sample's
  * channel for red, green and blue; tolerance is what a value may be off by, as a part of it and
@@ -73,7 +57,7 @@ static void every_compression(void **state)
     (void)state;
     for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++)
         for (int tile = 0; tile <= 7; tile += 7) {
-            struct exr_sample sample = plain_sample();
+            struct exr_sample sample = sample_plain(EXR_PIXEL_FLOAT, 16, 13);
             memcpy(sample.channels, (const char *[]){"A", "B", "G", "R"}, 4 * sizeof(char *));
             sample.compression = kinds[i].compression;
             sample.tile = tile;
@@ -90,7 +74,7 @@ static void dwa(void **state)
     static const char *const channels[][4] = {{"B", "G", "R", NULL}, {"Y", NULL, NULL, NULL}};
     (void)state;
     for (int i = 0; i < 16; i++) {
-        struct exr_sample sample = plain_sample();
+        struct exr_sample sample = sample_plain(EXR_PIXEL_FLOAT, 16, 13);
         const int *w = windows[i & 1];
         exr_attr_box2i_t data = {{{{w[0], w[1]}}}, {{{w[2], w[3]}}}};
         sample.data = data;
@@ -124,7 +108,7 @@ static void every_type_and_set_of_channels(void **state)
         for (size_t i = 0; i < sizeof sets / sizeof sets[0]; i++)
             for (int tile = 0; tile <= 4; tile += 4)
                 for (int zip = 0; zip <= 1; zip++) {
-                    struct exr_sample sample = plain_sample();
+                    struct exr_sample sample = sample_plain(EXR_PIXEL_FLOAT, 16, 13);
                     memcpy(sample.channels, sets[i].channels, sizeof sample.channels);
                     sample.type = types[t];
                     sample.tile = tile;
@@ -144,7 +128,7 @@ static void data_window_is_not_display_window(void **state)
     (void)state;
     for (size_t i = 0; i < sizeof windows / sizeof windows[0]; i++)
         for (int tile = 0; tile <= 5; tile += 5) {
-            struct exr_sample sample = plain_sample();
+            struct exr_sample sample = sample_plain(EXR_PIXEL_FLOAT, 16, 13);
             const int *w = windows[i];
             exr_attr_box2i_t data = {{{{w[0], w[1]}}}, {{{w[2], w[3]}}}};
             exr_attr_box2i_t display = {{{{w[4], w[5]}}}, {{{w[6], w[7]}}}};
