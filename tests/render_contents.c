@@ -51,6 +51,8 @@ const char *const box_contents =
 const char *const far_contents =
     "<shape type='obj'><string name='filename' value='far.obj'/></shape>\n";
 
+/* Two materials of one model whose choices differ, so that the program cannot take them as known.
+ */
 const char *const mesh_contents =
     "<emitter type='envmap'><string name='filename' value='sky.exr'/>\n"
     "<transform name='to_world'><rotate x='0.6' z='0.8' angle='40'/></transform></emitter>\n"
@@ -66,7 +68,9 @@ const char *const mesh_contents =
     "<string name='filename' value='sky.exr'/><string name='filter_type' value='nearest'/>"
     "</texture></bsdf></shape>\n"
     "<shape type='sphere'><point name='center' x='-1' y='0.3' z='1.2'/>\n"
-    "<float name='radius' value='0.3'/><bsdf type='phong'/></shape>\n";
+    "<float name='radius' value='0.3'/><bsdf type='roughconductor'>"
+    "<string name='distribution' value='blinn'/><string name='masking' value='vcavity'/>"
+    "<float name='alpha' value='0.3'/></bsdf></shape>\n";
 
 /* Two triangles as a light, and forty that are never met. */
 static void write_tiles(void)

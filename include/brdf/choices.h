@@ -2,21 +2,16 @@
  * choices.h - which choices of the models are the same in a whole program: here, none are known.
  *
  * A program that is put together for certain materials replaces this file, as it does models.h
- * (source.h), by the same constants with other values: 4 bits a choice, the first lowest, in KNOWN
- * all four bits of each choice that has one value in all of the program's materials, in CHOSEN
- * those values. The compiler then meets options that nobody chose in the models alone, and not
- * again in every function that a model is inlined into.
+ * (source.h), and defines for each model two constants: BRDF_NAME_CHOSEN, the choices as a material
+ * has them, 4 bits each; and BRDF_NAME_KNOWN, all bits of the choices that are the same in all of
+ * the program's materials. Then the compiler drops options that nobody chose where they stand,
+ * instead of taking them along through every function that the model is inlined into.
  */
 #ifndef BRDF_CHOICES_H
 #define BRDF_CHOICES_H
 
-#include "models.h"
-
-enum brdf_model_choices {
-#define BRDF_MODEL(name, NAME, flags, summary, reference)                                          \
-    BRDF_##NAME##_KNOWN = 0, BRDF_##NAME##_CHOSEN = 0,
-#include "models.h"
-#undef BRDF_MODEL
-};
+/* A statement: puts the choices that are known into the parameters `p` of a model. Dispatch says it
+   for every model; one whose options are long may say it first in its functions as well. */
+#define BRDF_KNOWN(NAME, p)
 
 #endif

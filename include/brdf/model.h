@@ -12,14 +12,13 @@
 #ifndef BRDF_MODEL_H
 #define BRDF_MODEL_H
 
+#include "choices.h"
 #include "frame.h"
 #include "parameters.h"
 #include "sample.h"
 
 /* First reading of the list: the models themselves, and their tags in the order of the list. */
 #include "models.h"
-
-#include "choices.h"
 
 enum brdf_model_tag {
 #define BRDF_MODEL(name, NAME, flags, summary, reference) BRDF_MODEL_##NAME,
@@ -77,13 +76,10 @@ typedef union brdf_parameters brdf_parameters;
         (void)value;                                                                               \
         BRDF_##NAME##_PARAMETERS(BRDF_SET) return p;                                               \
     }                                                                                              \
-    static inline struct brdf_##name brdf_##name##_know(struct brdf_##name p)                      \
+    static inline struct brdf_##name brdf_##name##_known(struct brdf_##name p)                     \
     {                                                                                              \
-        unsigned known = (unsigned)BRDF_##NAME##_KNOWN;                                            \
-        unsigned chosen = (unsigned)BRDF_##NAME##_CHOSEN;                                          \
-        (void)known;                                                                               \
-        (void)chosen;                                                                              \
-        BRDF_##NAME##_PARAMETERS(BRDF_KNOW) return p;                                              \
+        BRDF_KNOWN(NAME, p);                                                                       \
+        return p;                                                                                  \
     }
 #include "models.h"
 #undef BRDF_MODEL
@@ -130,7 +126,7 @@ static inline brdf_rgb brdf_model_eval(unsigned model, brdf_parameters p, brdf_v
     switch (model) {
 #define BRDF_MODEL(name, NAME, flags, summary, reference)                                          \
     case BRDF_MODEL_##NAME:                                                                        \
-        return brdf_##name##_eval(brdf_##name##_know(p.name), wo, wi, table);
+        return brdf_##name##_eval(brdf_##name##_known(p.name), wo, wi, table);
 #include "models.h"
 #undef BRDF_MODEL
     default:
@@ -145,7 +141,7 @@ static inline brdf_real brdf_model_pdf(unsigned model, brdf_parameters p, brdf_v
     switch (model) {
 #define BRDF_MODEL(name, NAME, flags, summary, reference)                                          \
     case BRDF_MODEL_##NAME:                                                                        \
-        return brdf_##name##_pdf(brdf_##name##_know(p.name), wo, wi, table);
+        return brdf_##name##_pdf(brdf_##name##_known(p.name), wo, wi, table);
 #include "models.h"
 #undef BRDF_MODEL
     default:
@@ -160,7 +156,7 @@ static inline struct brdf_sample brdf_model_sample(unsigned model, brdf_paramete
     switch (model) {
 #define BRDF_MODEL(name, NAME, flags, summary, reference)                                          \
     case BRDF_MODEL_##NAME:                                                                        \
-        return brdf_##name##_sample(brdf_##name##_know(p.name), wo, u, table);
+        return brdf_##name##_sample(brdf_##name##_known(p.name), wo, u, table);
 #include "models.h"
 #undef BRDF_MODEL
     default:

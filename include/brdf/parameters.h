@@ -19,6 +19,7 @@
 #ifndef BRDF_PARAMETERS_H
 #define BRDF_PARAMETERS_H
 
+#include "choices.h"
 #include "vec.h"
 
 /* The members of the parameter struct. */
@@ -79,7 +80,8 @@
 #define BRDF_SET_METAL(name)
 #define BRDF_SET_FILE(name)
 
-/* "LIST(BRDF_KNOW)" replaces the choices of `p` that have bits in `known` by those of `chosen`. */
+/* "LIST(BRDF_KNOW)" replaces the choices of `p` that have bits in `known` by those of `chosen`
+   (choices.h). */
 #define BRDF_KNOW(kind, name, initial, low, high, unit, meaning) BRDF_KNOW_##kind(name)
 #define BRDF_KNOW_CHOICE(name)                                                                     \
     p.name = known & 15u ? (int)(chosen & 15u) : p.name;                                           \

@@ -4,6 +4,7 @@
  */
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "embedded.h"
 #include "opencl.h"
@@ -40,30 +41,41 @@ void opencl_materials_add(struct opencl_materials *materials, unsigned model, un
     materials->model[model].chosen = choices;
 }
 
-/* The two headers that are written for a program: brdf/models.h and brdf/choices.h. */
+/* What brdf/choices.h is in a program: the first lines, two constants for each model, the last. */
+static const char *const choices_begin[] = {"#ifndef BRDF_CHOICES_H", "#define BRDF_CHOICES_H"};
+static const char *const choices_end[] = {
+    "#define BRDF_KNOWN(NAME, p) { unsigned known = BRDF_##NAME##_KNOWN; \\",
+    "unsigned chosen = BRDF_##NAME##_CHOSEN; BRDF_##NAME##_PARAMETERS(BRDF_KNOW) }",
+    "#endif",
+    NULL,
+};
+
+enum { BEGIN = sizeof choices_begin / sizeof *choices_begin };
+
+/* The two headers that are written for a program. */
 struct cut {
     const char *models[BRDF_MODEL_COUNT + 1];
-    const char *choices[BRDF_MODEL_COUNT + 3];
+    const char *choices[sizeof choices_end / sizeof *choices_end + BEGIN + BRDF_MODEL_COUNT];
     char constants[BRDF_MODEL_COUNT][160];
 };
 
 static void cut_to(const struct opencl_materials *materials, struct cut *cut)
 {
     size_t used = 0;
+    memcpy(cut->choices, choices_begin, sizeof choices_begin);
     for (unsigned i = 0; i < BRDF_MODEL_COUNT; ++i) {
         if (materials->model[i].used) {
             snprintf(cut->constants[used], sizeof cut->constants[used],
-                     "BRDF_%s_KNOWN = (int)0x%xu, BRDF_%s_CHOSEN = (int)0x%xu,", known[i].upper,
-                     materials->model[i].known, known[i].upper, materials->model[i].chosen);
+                     "enum { BRDF_%s_KNOWN = (int)0x%xu, BRDF_%s_CHOSEN = (int)0x%xu };",
+                     known[i].upper, materials->model[i].known, known[i].upper,
+                     materials->model[i].chosen);
             cut->models[used] = known[i].include;
-            cut->choices[1 + used] = cut->constants[used];
+            cut->choices[BEGIN + used] = cut->constants[used];
             ++used;
         }
     }
     cut->models[used] = NULL;
-    cut->choices[0] = used ? "enum brdf_model_choices {" : "";
-    cut->choices[1 + used] = used ? "};" : "";
-    cut->choices[2 + used] = NULL;
+    memcpy(cut->choices + BEGIN + used, choices_end, sizeof choices_end);
 }
 
 brdf_status opencl_expand(const struct opencl_materials *materials, const char *text,

@@ -164,6 +164,7 @@ static inline brdf_rgb brdf_hapke_eval(struct brdf_hapke p, brdf_vec3 wo, brdf_v
                                        BRDF_GLOBAL const float *table)
 {
     (void)table;
+    BRDF_KNOWN(HAPKE, p);
     brdf_mask above = (wo.z > 0.0f) & (wi.z > 0.0f);
     brdf_vec3 o = brdf_vec3_make(wo.x, wo.y, brdf_clamp(wo.z, 0.0f, 1.0f));
     brdf_vec3 i = brdf_vec3_make(wi.x, wi.y, brdf_clamp(wi.z, 0.0f, 1.0f));
@@ -203,6 +204,7 @@ static inline brdf_real brdf_hapke_pdf(struct brdf_hapke p, brdf_vec3 wo, brdf_v
                                        BRDF_GLOBAL const float *table)
 {
     (void)table;
+    BRDF_KNOWN(HAPKE, p);
     brdf_mask above = (wo.z > 0.0f) & (wi.z > 0.0f);
     struct brdf_hapke_shares s = brdf_hapke_shares(p, brdf_clamp(wo.z, 0.0f, 1.0f));
     brdf_vec3 apart = brdf_sub(wo, wi);
@@ -217,6 +219,7 @@ static inline brdf_real brdf_hapke_pdf(struct brdf_hapke p, brdf_vec3 wo, brdf_v
 static inline struct brdf_sample brdf_hapke_sample(struct brdf_hapke p, brdf_vec3 wo, brdf_vec3 u,
                                                    BRDF_GLOBAL const float *table)
 {
+    BRDF_KNOWN(HAPKE, p);
     struct brdf_hapke_shares s = brdf_hapke_shares(p, brdf_clamp(wo.z, 0.0f, 1.0f));
     brdf_vec3 lobe = brdf_henyeygreenstein_sample(p.b, u.x, u.y);
     lobe = brdf_to_world(brdf_frame_from_normal(wo), lobe);

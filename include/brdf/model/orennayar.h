@@ -143,6 +143,7 @@ static inline brdf_rgb brdf_orennayar_eval(struct brdf_orennayar p, brdf_vec3 wo
                                            BRDF_GLOBAL const float *table)
 {
     (void)table;
+    BRDF_KNOWN(ORENNAYAR, p);
     brdf_mask above = (wo.z > 0.0f) & (wi.z > 0.0f);
     brdf_rgb f;
     if (p.variant <= BRDF_ORENNAYAR_FUJII) {
@@ -177,6 +178,7 @@ static inline brdf_real brdf_orennayar_pdf(struct brdf_orennayar p, brdf_vec3 wo
                                            BRDF_GLOBAL const float *table)
 {
     (void)table;
+    BRDF_KNOWN(ORENNAYAR, p);
     brdf_mask above = (wo.z > 0.0f) & (wi.z > 0.0f);
     brdf_real r = brdf_orennayar_r(p);
     brdf_real mu = brdf_clamp(wo.z, 0.0f, 1.0f);
@@ -190,6 +192,7 @@ static inline brdf_real brdf_orennayar_pdf(struct brdf_orennayar p, brdf_vec3 wo
 static inline struct brdf_sample brdf_orennayar_sample(struct brdf_orennayar p, brdf_vec3 wo,
                                                        brdf_vec3 u, BRDF_GLOBAL const float *table)
 {
+    BRDF_KNOWN(ORENNAYAR, p);
     brdf_real r = brdf_orennayar_r(p);
     brdf_real mu = brdf_clamp(wo.z, 0.0f, 1.0f);
     brdf_vec3 lobe = brdf_cltc_sample(brdf_cltc_make(mu, r), u.x, u.y);

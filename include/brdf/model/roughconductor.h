@@ -92,6 +92,7 @@ static inline brdf_rgb brdf_roughconductor_eval(struct brdf_roughconductor p, br
                                                 brdf_vec3 wi, BRDF_GLOBAL const float *table)
 {
     (void)table;
+    BRDF_KNOWN(ROUGHCONDUCTOR, p);
     struct brdf_facets facets = brdf_roughconductor_facets(p);
     brdf_mask above = (wo.z > 0.0f) & (wi.z > 0.0f);
     struct brdf_half h = brdf_half_make(wo, wi);
@@ -108,6 +109,7 @@ static inline brdf_real brdf_roughconductor_pdf(struct brdf_roughconductor p, br
                                                 brdf_vec3 wi, BRDF_GLOBAL const float *table)
 {
     (void)table;
+    BRDF_KNOWN(ROUGHCONDUCTOR, p);
     struct brdf_facets facets = brdf_roughconductor_facets(p);
     brdf_mask above = (wo.z > 0.0f) & (wi.z > 0.0f);
     struct brdf_half h = brdf_half_make(wo, wi);
@@ -141,6 +143,7 @@ static inline struct brdf_sample brdf_roughconductor_sample(struct brdf_roughcon
                                                             brdf_vec3 wo, brdf_vec3 u,
                                                             BRDF_GLOBAL const float *table)
 {
+    BRDF_KNOWN(ROUGHCONDUCTOR, p);
     if (p.multiscatter) {
         return brdf_roughconductor_sample_both(p, wo, u, table);
     }

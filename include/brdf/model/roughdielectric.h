@@ -164,6 +164,7 @@ static inline brdf_real brdf_roughdielectric_loss(struct brdf_glass glass, brdf_
 static inline brdf_rgb brdf_roughdielectric_eval(struct brdf_roughdielectric p, brdf_vec3 wo,
                                                  brdf_vec3 wi, BRDF_GLOBAL const float *table)
 {
+    BRDF_KNOWN(ROUGHDIELECTRIC, p);
     brdf_rgb f = brdf_roughdielectric_once(p, wo, wi);
     if (p.multiscatter) {
         struct brdf_glass glass = brdf_roughdielectric_glass(p, table);
@@ -182,6 +183,7 @@ static inline brdf_rgb brdf_roughdielectric_eval(struct brdf_roughdielectric p, 
 static inline brdf_real brdf_roughdielectric_pdf(struct brdf_roughdielectric p, brdf_vec3 wo,
                                                  brdf_vec3 wi, BRDF_GLOBAL const float *table)
 {
+    BRDF_KNOWN(ROUGHDIELECTRIC, p);
     brdf_real once = brdf_roughdielectric_once_pdf(p, wo, wi);
     if (!p.multiscatter) {
         return once;
@@ -203,6 +205,7 @@ static inline struct brdf_sample brdf_roughdielectric_sample(struct brdf_roughdi
                                                              brdf_vec3 wo, brdf_vec3 u,
                                                              BRDF_GLOBAL const float *table)
 {
+    BRDF_KNOWN(ROUGHDIELECTRIC, p);
     if (!p.multiscatter) {
         return brdf_roughdielectric_once_sample(p, wo, u);
     }

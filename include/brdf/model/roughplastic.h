@@ -96,6 +96,7 @@ brdf_roughplastic_shares_of(struct brdf_roughplastic p, brdf_vec3 wo,
 static inline brdf_rgb brdf_roughplastic_eval(struct brdf_roughplastic p, brdf_vec3 wo,
                                               brdf_vec3 wi, BRDF_GLOBAL const float *table)
 {
+    BRDF_KNOWN(ROUGHPLASTIC, p);
     brdf_mask above = (wo.z > 0.0f) & (wi.z > 0.0f);
     brdf_rgb f = brdf_rgb_add(brdf_roughplastic_specular(p, wo, wi),
                               brdf_roughplastic_diffuse(p, wo, wi, table));
@@ -105,6 +106,7 @@ static inline brdf_rgb brdf_roughplastic_eval(struct brdf_roughplastic p, brdf_v
 static inline brdf_real brdf_roughplastic_pdf(struct brdf_roughplastic p, brdf_vec3 wo,
                                               brdf_vec3 wi, BRDF_GLOBAL const float *table)
 {
+    BRDF_KNOWN(ROUGHPLASTIC, p);
     brdf_mask above = (wo.z > 0.0f) & (wi.z > 0.0f);
     struct brdf_roughplastic_shares shares = brdf_roughplastic_shares_of(p, wo, table);
     brdf_vec3 h = brdf_normalize(brdf_add(wo, wi));
@@ -123,6 +125,7 @@ static inline struct brdf_sample brdf_roughplastic_sample(struct brdf_roughplast
                                                           brdf_vec3 u,
                                                           BRDF_GLOBAL const float *table)
 {
+    BRDF_KNOWN(ROUGHPLASTIC, p);
     struct brdf_roughplastic_shares shares = brdf_roughplastic_shares_of(p, wo, table);
     brdf_vec3 h = brdf_microfacet_sample(p.distribution, wo, p.alpha, p.alpha, u.x, u.y);
     brdf_vec3 mirrored = brdf_normalize(brdf_reflect(wo, h));
