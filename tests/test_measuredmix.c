@@ -122,8 +122,7 @@ static void samples_have_the_weights_of_the_parts(void **state)
     double sum[3] = {0.0}, most[3] = {0.0};
     const struct brdf_bsdf *bsdfs[3] = {trio->part[0], trio->part[1], trio->mix[1]};
     for (size_t i = 0; i < PAIRS; ++i) {
-        brdf_vec3 u = brdf_vec3_make(lab_lattice_at(&lattice, i, 0), lab_lattice_at(&lattice, i, 1),
-                                     lab_lattice_at(&lattice, i, 2));
+        brdf_vec3 u = lab_lattice_cube(&lattice, i);
         for (int k = 0; k < 3; ++k) {
             double weight = (double)brdf_sample(bsdfs[k], wo, u).weight.g;
             sum[k] += weight / PAIRS;

@@ -71,8 +71,7 @@ static double angle_of(const struct lab_section *section, brdf_vec3 w)
 static struct brdf_sample sample_at(const struct lab_section *section, size_t i)
 {
     struct lab_lattice lattice = lab_lattice_make(3, 1);
-    brdf_vec3 u = brdf_vec3_make(lab_lattice_at(&lattice, i, 0), lab_lattice_at(&lattice, i, 1),
-                                 lab_lattice_at(&lattice, i, 2));
+    brdf_vec3 u = lab_lattice_cube(&lattice, i);
     return brdf_sample(section->bsdf, lab_section_light(section), u);
 }
 

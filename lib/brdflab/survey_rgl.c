@@ -15,8 +15,7 @@ static void view_add(const struct brdf_bsdf *bsdf, brdf_vec3 wo, struct lab_rgl_
 {
     struct lab_lattice lattice = lab_lattice_make(3, 1);
     for (size_t i = 0; i < POINTS; ++i) {
-        brdf_vec3 u = brdf_vec3_make(lab_lattice_at(&lattice, i, 0), lab_lattice_at(&lattice, i, 1),
-                                     lab_lattice_at(&lattice, i, 2));
+        brdf_vec3 u = lab_lattice_cube(&lattice, i);
         struct brdf_sample sample = brdf_sample(bsdf, wo, u);
         if (sample.pdf > 0.0f) {
             brdf_rgb f = brdf_eval(bsdf, wo, sample.wi);
