@@ -31,7 +31,7 @@ struct measured_out {
     {"format", 0, OPTION_CHOICE, &(out).format, "by-name|merl|rgl", 0, 0,                          \
      "of OUT; by its suffix, .binary or .bsdf, if not given"},                                     \
     {"thetas", 0, OPTION_INT, &(out).grid.thetas, "N", 2, 256,                                     \
-     "RGL: polar angles of the viewer; 17 if not given"},                                          \
+     "RGL: polar angles of the viewer; 25 if not given"},                                          \
     {"size", 0, OPTION_INT, &(out).grid.size, "N", 2, 1024,                                        \
      "RGL: nodes along the sides of a view's square; 128, 64 if anisotropic"},                     \
     {"force", 0, OPTION_ON, &(out).force, NULL, 0, 0, "OUT may be a file that is read"}

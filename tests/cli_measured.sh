@@ -195,7 +195,7 @@ expect 0 info edited.binary
 says out '^  *average   0.3[0-9]*  0.3[0-9]*  0.3'
 rm edited.binary
 last='edit to RGL'
-expect 0 edit matte.binary edited.bsdf --diffuse 0.5 --thetas 5 --size 16
+expect 0 edit matte.binary edited.bsdf --diffuse 0.5 --thetas 9 --size 32
 says out '^edited.bsdf: from MERL.s grid into RGL.s$'
 expect 0 info edited.bsdf
 says out '^  *average   0.\(10\|099\)[0-9]*  0.\(20\|19\)[0-9]*  0.\(30\|29\)[0-9]*$'

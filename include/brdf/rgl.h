@@ -99,11 +99,13 @@ struct brdf_rgl_grid {
 /*
  * Make the values of a file from a function as the paper makes them from measurements: the
  * distribution of normals from retro-reflection (wi = wo) by power iterations [section 4.1], the
- * visible normals from that, then the function where the warp by these leads to. Deviations: one
- * normal in a hundred is spread evenly, so that no direction is out of reach; grid points below the
- * surface beside valid ones repeat these. No direction it asks for has a cosine below 0.001. `grid`
- * may be NULL. Errors: BRDF_BAD_ARGUMENT (a null pointer, a grid out of range, a value that is not
- * finite or above 1e9), BRDF_OUT_OF_MEMORY.
+ * visible normals from that, then the function where the warp by these leads to. Deviations: the
+ * distribution is the mean of that of retro-reflection and of what each view shows, or a narrow
+ * lobe over a matte base would be lost at grazing angles; one normal in a hundred is spread evenly,
+ * so that no direction is out of reach; grid points below the surface beside valid ones repeat
+ * these; polar angles are denser towards grazing. No direction it asks for has a cosine below
+ * 0.001. `grid` may be NULL. Errors: BRDF_BAD_ARGUMENT (a null pointer, a grid out of range, a
+ * value that is not finite or above 1e9), BRDF_OUT_OF_MEMORY.
  */
 BRDF_API brdf_status brdf_rgl_make(brdf_rgl_function *f, void *data,
                                    const struct brdf_rgl_grid *grid, struct brdf_rgl_file *file,

@@ -35,7 +35,10 @@ static brdf_status grid_check(struct brdf_rgl_grid *grid, struct brdf_error *err
     return BRDF_OK;
 }
 
-/* Counts, memory, and the directions of wo: equal steps of phi_i and of cos(theta_i). */
+/*
+ * Counts, memory, and the directions of wo: equal steps of phi_i, and of cos(theta_i) to the power
+ * of 2/3, which are finer towards grazing, where lobes change most from view to view.
+ */
 static brdf_status file_begin(struct brdf_rgl_making *m)
 {
     struct brdf_rgl_file *file = m->file;
@@ -67,7 +70,7 @@ static brdf_status file_begin(struct brdf_rgl_making *m)
         file->phi_i[i] = (float)(pi * (2.0 * part - 1.0));
     }
     for (int i = 0; i < grid->thetas; ++i) {
-        file->theta_i[i] = (float)acos(1.0 - (double)i / (grid->thetas - 1));
+        file->theta_i[i] = (float)acos(pow(1.0 - (double)i / (grid->thetas - 1), 1.5));
     }
     return BRDF_OK;
 }
@@ -112,6 +115,8 @@ static brdf_status normals_make(struct brdf_rgl_making *m)
                                        memory + count};
     brdf_status status = back_find(m, memory + 2 * count);
     status = status ? status : brdf_rgl_normals_find(&normals, memory + 2 * count, m->error);
+    status = status ? status : brdf_rgl_views_blend(m, &normals);
+    status = status ? status : brdf_rgl_normals_end(&normals, m->error);
     for (size_t k = 0; k < count && !status; ++k) {
         file->ndf[k] = (float)normals.d[k];
         file->sigma[k] = (float)normals.sigma[k];

@@ -78,13 +78,40 @@ static double area_full(const double *d, const double *nodes, const double w[3],
     return sum;
 }
 
+/* Directions of all nodes, and their solid angles; malloc'd, NULL where there is no memory. */
+static double *nodes_make(const struct brdf_rgl_normals *n)
+{
+    int count = n->rows * n->columns;
+    double *nodes = malloc((size_t)count * 4 * sizeof *nodes);
+    for (int k = 0; nodes && k < count; ++k) {
+        int row = k / n->columns;
+        int column = k % n->columns;
+        brdf_rgl_direction(row, n->rows, column, n->columns, nodes + 4 * k);
+        nodes[4 * k + 3] = node_weight(row, n->rows, column, n->columns, 0);
+    }
+    return nodes;
+}
+
+double brdf_rgl_normals_area(const struct brdf_rgl_normals *n, const double *d)
+{
+    double sum = 0.0;
+    if (n->isotropic) {
+        return area_isotropic(d, 0, n->columns);
+    }
+    for (int k = 0; k < n->rows * n->columns; ++k) {
+        int column = k % n->columns;
+        double root = (double)column / (n->columns - 1);
+        sum += d[k] * node_weight(k / n->columns, n->rows, column, n->columns, 0) *
+               cos(0.5 * pi * root * root);
+    }
+    return sum;
+}
+
 /* sigma of D for every node of the grid, divided by that of the normal, as D is. */
 static void areas_find(struct brdf_rgl_normals *n, const double *nodes)
 {
-    const double up[3] = {0.0, 0.0, 1.0};
     int count = n->rows * n->columns;
-    double normal =
-        n->isotropic ? area_isotropic(n->d, 0, n->columns) : area_full(n->d, nodes, up, count);
+    double normal = brdf_rgl_normals_area(n, n->d);
     for (int k = 0; k < count; ++k) {
         n->d[k] /= normal;
     }
@@ -99,15 +126,11 @@ brdf_status brdf_rgl_normals_find(struct brdf_rgl_normals *n, const double *back
                                   struct brdf_error *error)
 {
     int count = n->rows * n->columns;
-    double *nodes = malloc((size_t)count * 4 * sizeof *nodes); /* directions and solid angles */
+    double *nodes = nodes_make(n);
     if (!nodes) {
         return brdf_fail(error, BRDF_OUT_OF_MEMORY, "no memory for %d normals", count);
     }
     for (int k = 0; k < count; ++k) {
-        int row = k / n->columns;
-        int column = k % n->columns;
-        brdf_rgl_direction(row, n->rows, column, n->columns, nodes + 4 * k);
-        nodes[4 * k + 3] = node_weight(row, n->rows, column, n->columns, 0);
         n->d[k] = 1.0;
     }
     areas_find(n, nodes);
@@ -116,6 +139,17 @@ brdf_status brdf_rgl_normals_find(struct brdf_rgl_normals *n, const double *back
             n->d[k] = back[k] * n->sigma[k];
         }
         areas_find(n, nodes);
+    }
+    free(nodes);
+    return BRDF_OK;
+}
+
+brdf_status brdf_rgl_normals_end(struct brdf_rgl_normals *n, struct brdf_error *error)
+{
+    int count = n->rows * n->columns;
+    double *nodes = nodes_make(n);
+    if (!nodes) {
+        return brdf_fail(error, BRDF_OUT_OF_MEMORY, "no memory for %d normals", count);
     }
     for (int k = 0; k < count; ++k) {
         n->d[k] = (1.0 - spread) * n->d[k] + spread / pi;

@@ -169,7 +169,7 @@ brdf_status lab_bake_rgl(const struct brdf_bsdf *bsdf, const struct brdf_rgl_gri
         fine.symmetry = fine.symmetry ? fine.symmetry : lab_symmetry(bsdf);
         fine.phis = 32 / fine.symmetry + 1;
     }
-    fine.thetas = fine.thetas ? fine.thetas : 17;
+    fine.thetas = fine.thetas ? fine.thetas : 25;
     fine.size = fine.size ? fine.size : fine.phis > 1 ? 64 : 128;
     return brdf_rgl_make(channels_at, &bsdf, &fine, file, error);
 }

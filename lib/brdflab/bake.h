@@ -19,7 +19,7 @@ brdf_status lab_bake_merl(const struct brdf_bsdf *bsdf, struct brdf_merl_file *f
 
 /*
  * Tabulate the reflection of a bsdf as an RGL file, for brdf_rgl_free. `grid` says how finely; a
- * zero in it stands for what is right for most: 17 polar angles; one azimuth and squares of 128 x
+ * zero in it stands for what is right for most: 25 polar angles; one azimuth and squares of 128 x
  * 128 if the material is isotropic, else steps of 11.25 degrees over as much of the turn as its
  * symmetry asks for, and squares of 64 x 64. Errors: as lab_bake_merl, but any azimuth will do;
  * those of brdf_rgl_make.

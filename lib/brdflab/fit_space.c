@@ -29,8 +29,7 @@ static double coordinate_value(const struct fit_coordinate *c, double t)
  * while eta and k of a bright metal can change by factors and hardly change the picture.
  */
 #define REFLECTANCE_MAX 0.9999
-#define REFLECTANCE_MAX_CLEAR 0.96 /* of an index of 99 that absorbs nothing; indices end at 100   \
-                                    */
+#define REFLECTANCE_MAX_CLEAR 0.96 /* of an index of 99 without k; indices end at 100 */
 
 static void metal_of_reflectance(float *eta, float *k)
 {
