@@ -9,6 +9,7 @@ import mitsuba as mi
 import numpy as np
 
 ALBEDO_SAMPLES = 1 << 17
+SHARED_SAMPLES = 1 << 14
 
 
 class Ours:
@@ -28,6 +29,15 @@ class Ours:
         out = self.run("eval", material.description, "--directions", path)
         rows = np.array([line.split(",") for line in out.splitlines()[1:]], dtype=np.float64)
         return rows[:, :3], rows[:, 3]
+
+    def samples(self, material, wo):
+        """Directions that are not deltas, with weight = f cos / pdf and pdf."""
+        theta, phi = np.degrees(np.arccos(wo[2])), np.degrees(np.arctan2(wo[1], wo[0]))
+        out = self.run("sample", material.description, "--wo", f"{theta:.9g},{phi:.9g}",
+                       "--count", str(SHARED_SAMPLES))
+        rows = np.array([line.split(",") for line in out.splitlines()[1:]], dtype=np.float64)
+        rows = rows[(rows[:, 11] > 0.0) & (rows[:, 13] == 0.0)]
+        return np.float32(rows[:, 3:6]), rows[:, 8:11], rows[:, 11]
 
     def albedo(self, material, cosine):
         inside = ["--inside"] if cosine < 0.0 else []
@@ -61,7 +71,7 @@ class Theirs:
         pdf = np.array(self.bsdf.pdf(self.context, si, mi.Vector3f(wi.T)))
         return np.float64(f) / np.abs(np.float64(wi[:, 2:])), np.float64(pdf) + np.zeros(len(wo))
 
-    def albedo(self, _, cosine):
+    def albedo(self, material, cosine, correct):
         """By so many samples of theirs; transmission as power, and the standard error."""
         count = ALBEDO_SAMPLES
         wo = np.zeros((count, 3), np.float32)
@@ -70,7 +80,7 @@ class Theirs:
         jitter = mi.PCG32(size=count)
         u = mi.Point2f((mi.Float(i) + jitter.next_float32()) / count, jitter.next_float32())
         sample, weight = self.bsdf.sample(self.context, interaction(wo), jitter.next_float32(), u)
-        weight = np.float64(np.array(weight).reshape(3, -1).T)
+        weight = correct(material, np.float64(np.array(weight).reshape(3, -1).T))
         through = np.array(sample.wo)[2] * cosine < 0.0
         weight *= np.where(through, np.float64(np.array(sample.eta)) ** 2, 1.0)[:, None]
         weight[~np.isfinite(weight)] = 0.0

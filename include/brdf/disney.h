@@ -2,9 +2,9 @@
  * disney.h - the lobes of Burley's principled model beside its facets: diffuse light and what lies
  * under a grazing eye, sheen, clearcoat, and its way from artists' parameters to roughness.
  *
- * Burley, Physically Based Shading at Disney, 2012: sections 5.3 (diffuse), 5.4 (anisotropy), 5.5
- * (tints and sheen), 5.6 (clearcoat) and appendix B.2 (GTR with exponent 1). Burley, Extending the
- * Disney BRDF to a BSDF, 2015: section 4.1, the diffuse lobe apart from its retro-reflection.
+ * Burley, Physically Based Shading at Disney, 2012: sections 5.2 (parameters), 5.3 (diffuse), 5.4
+ * (distributions, clearcoat), 5.5 (Fresnel), 5.6 (masking), and the appendix (GTR). Burley,
+ * Extending the Disney BRDF to a BSDF, 2015: the diffuse lobe apart from its retro-reflection.
  */
 #ifndef BRDF_DISNEY_H
 #define BRDF_DISNEY_H
@@ -43,7 +43,7 @@ struct brdf_disney_alpha {
     brdf_real v;
 };
 
-/* roughness^2, stretched by up to 10 to 1 [Burley 2012, 5.4]. */
+/* roughness^2, stretched by up to 10 to 1 [Burley 2012]. */
 static inline struct brdf_disney_alpha brdf_disney_alpha_of(brdf_real roughness,
                                                             brdf_real anisotropic)
 {
@@ -57,7 +57,7 @@ static inline struct brdf_disney_alpha brdf_disney_alpha_of(brdf_real roughness,
 
 /*
  * f [1/sr] of a white base: Lambert's that fades where Fresnel takes the light, plus the light that
- * rough ones send back at grazing [Burley 2015, 4.1]; `flatness` goes over to the look of
+ * rough ones send back at grazing [Burley 2015]; `flatness` goes over to the look of
  * subsurface scattering, after Hanrahan and Krueger [Burley 2012, 5.3]. cos_d is that of wo or wi
  * to the half vector.
  */
@@ -96,7 +96,7 @@ static inline brdf_vec3 brdf_gtr1_sample(brdf_real alpha, brdf_real u, brdf_real
     return brdf_vec3_make(sine * turn.cos, sine * turn.sin, sqrtf(1.0f - sin2));
 }
 
-/* From the gloss of a clearcoat to its roughness [Burley 2012, 5.6]. */
+/* From the gloss of a clearcoat to its roughness [Burley 2012]. */
 static inline brdf_real brdf_disney_coat_alpha(brdf_real gloss)
 {
     return brdf_disney_mix(0.1f, 0.001f, gloss);

@@ -2,7 +2,7 @@
  * fiber.h - light that parallel fibres scatter below a smooth surface: a highlight on a cone around
  * them, seen through the refraction of the surface.
  *
- * Marschner, Westin, Arbree and Moon 2005, section 4, which takes its fibres from Marschner et al.
+ * Marschner, Westin, Arbree and Moon 2005, who take their fibres from Marschner et al.
  * 2003 (hair): a mirror that is a cylinder sends light of inclination psi to the plane across the
  * fibre to all directions of inclination -psi, a cone; irregular fibres blur the cone.
  */

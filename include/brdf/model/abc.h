@@ -5,7 +5,7 @@
  * f = diffuse / pi + F D G / (pi cos(wo) cos(wi)), D = A / (1 + B (1 - cos(h)))^C
  *
  * Reference: Loew, Kronander, Ynnerman, Unger, "BRDF Models for Accurate and Efficient Rendering of
- * Glossy Surfaces", 2012, the microfacet model (equations 12 to 14): D after Church's ABC model of
+ * Glossy Surfaces", 2012, the microfacet model: D after Church's ABC model of
  * scattering, G of V-cavities, exact Fresnel of a dielectric.
  * Sampling: half vectors in proportion to D, whose integral over cos(h) has an inverse. D is not
  * normalised: A sets how much the lobe reflects, and nothing keeps it from reflecting more than it

@@ -7,9 +7,9 @@
  *   p  scattering by one grain: two lobes of Henyey and Greenstein, McGuire and Hapke 1995, or a
  *      sum of Legendre polynomials, Hapke 1984
  *   B  opposition surge, for a grain hides its own shadow: Hapke 1986, B_0 / (1 + tan(g / 2) / h)
- *   H  scattering by many: Hapke 2002, eq. 13, or Hapke 1981, (1 + 2 x) / (1 + 2 x sqrt(1 - w))
+ *   H  scattering by many: Hapke 2002, or Hapke 1981, (1 + 2 x) / (1 + 2 x sqrt(1 - w))
  *   S, mu_i, mu_o  slopes, tilted and shadowed: Hapke 1984 (Bidirectional reflectance
- *      spectroscopy 3: correction for macroscopic roughness), mu by eq. 47 to 51
+ *      spectroscopy 3: correction for macroscopic roughness)
  * g is the angle between wo and wi. Light that has met many grains counts as even (the isotropic
  * multiple scattering approximation); coherent backscatter and porosity are left out.
  * Valid for mean slopes theta below about 40 degrees. Bright grains with a surge reflect more than
@@ -118,7 +118,7 @@ struct brdf_hapke_rough {
 };
 
 /*
- * Hapke 1984, eq. 47 to 51, by the direction nearer to the normal and the other one instead of by
+ * Hapke 1984, by the direction nearer to the normal and the other one instead of by
  * wi and wo, which makes reciprocity exact. Differences from azimuth pi, where terms cancel, come
  * from the sum and the difference of the two azimuths.
  */

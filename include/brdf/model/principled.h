@@ -1,9 +1,9 @@
 /*
  * principled - one model for many materials by parameters that artists think in: Disney's.
  *
- *   f = (1 - metallic) (1 - spec_trans) base_color diffuse + sheen       [Burley 2015, 4.1; 2012]
- *     + F D G / (4 cos(wo) cos(wi)) + clearcoat / 4 * coat               [Burley 2012, 5.4 and 5.6]
- *     + (1 - metallic) spec_trans sqrt(base_color) refraction            [Burley 2015, 5]
+ *   f = (1 - metallic) (1 - spec_trans) base_color diffuse + sheen       [Burley 2015; 2012, 5.3]
+ *     + F D G / (4 cos(wo) cos(wi)) + clearcoat / 4 * coat               [Burley 2012, 5.4 to 5.6]
+ *     + (1 - metallic) spec_trans sqrt(base_color) refraction            [Burley 2015]
  * Parameters, their meaning and all formulas are those of Mitsuba 3's plugin: GGX with separable
  * masking and alpha = roughness^2; F mixes the exact Fresnel of a dielectric, its tinted Schlick
  * form and a metal's. Seen from below, only spec_trans shows. The coat of Mitsuba is F D G without
@@ -67,7 +67,7 @@ static inline brdf_real brdf_principled_eta(struct brdf_principled p)
     return brdf_pick(clear & (fabsf(eta - 1.0f) < 1e-3f), 1.001f, eta);
 }
 
-/* Schlick's (1 - cos)^5; a thinner far side takes the cosine there [Burley 2015, 5.1]. */
+/* Schlick's (1 - cos)^5; a thinner far side takes the cosine there [Burley 2015]. */
 static inline brdf_real brdf_principled_grazing(brdf_real cosine, brdf_real eta)
 {
     brdf_real far2 = 1.0f - (1.0f - cosine * cosine) / (eta * eta);

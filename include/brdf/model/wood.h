@@ -4,8 +4,8 @@
  *
  *   f = F D G / (4 cos(wo) cos(wi))
  *     + T(wo) T(wi) (diffuse_reflectance / pi + k_f g(beta, psi_h) / cos^2(psi_d / 2))
- * Marschner, Westin, Arbree and Moon 2005, section 4: psi are inclinations to the plane across the
- * fibres after refraction, psi_h their sum, psi_d their difference; T is what the smooth coat lets
+ * Marschner, Westin, Arbree and Moon 2005: psi are inclinations to the plane across the fibres
+ * after refraction, psi_h their sum, psi_d their difference; T is what the smooth coat lets
  * through, 1 - F. The surface lobe, which the paper leaves open, is a microfacet's.
  * Deviations: k_f = fiber_reflectance / (2 eta), so that lying fibres, lit from the normal, return
  * fiber_reflectance; g is normalised (the authors' shader multiplies by beta, where the paper
