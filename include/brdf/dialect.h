@@ -191,23 +191,28 @@ static inline brdf_int brdf_gather_int(BRDF_GLOBAL const int *table, brdf_int in
 }
 
 /* Is the mask true in some lane, in every lane? One answer for all lanes: a branch on it is fine.
- */
+   By halves: any() may become a branch for each lane. */
 static inline int brdf_any(brdf_mask mask)
 {
 #if BRDF_LANES == 1
     return mask != 0;
 #else
-    return any(mask);
+#if BRDF_LANES == 16
+    int8 by8 = mask.lo | mask.hi;
+    int4 by4 = by8.lo | by8.hi;
+#elif BRDF_LANES == 8
+    int4 by4 = mask.lo | mask.hi;
+#else
+    int4 by4 = mask;
+#endif
+    int2 by2 = by4.lo | by4.hi;
+    return (by2.x | by2.y) != 0;
 #endif
 }
 
 static inline int brdf_all(brdf_mask mask)
 {
-#if BRDF_LANES == 1
-    return mask != 0;
-#else
-    return all(mask);
-#endif
+    return !brdf_any(mask == 0);
 }
 
 /* 0, 1, 2 ... : the number of each lane. */

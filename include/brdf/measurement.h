@@ -30,6 +30,9 @@ enum brdf_measured_word {
 
 /* Where everything is; one for all lanes. */
 struct brdf_measured_layout {
+    int phis;
+    int thetas;
+    int size; /* of luminance and colours */
     int phi_words;
     int theta_words;
     struct brdf_map vndf;
@@ -53,17 +56,24 @@ static inline int brdf_measured_line(int words)
     return (words + 15) / 16 * 16;
 }
 
-/* Place the parts of a map, from `words` on; where they end. */
-static inline int brdf_map_place(struct brdf_map *map, int words)
+/* Place `count` lines, from `words` on; where they end. A window may begin at the last node. */
+static inline int brdf_lines_place(struct brdf_lines *lines, int count, int words)
 {
-    int slices = map->thetas * map->phis;
-    map->row_words = words;
-    map->node_words = map->row_words + brdf_measured_line(2 * slices * map->rows);
-    map->row_guess_words =
-        map->node_words + brdf_measured_line(2 * slices * map->rows * map->columns);
-    map->column_guess_words =
-        map->row_guess_words + brdf_measured_line(2 * slices * BRDF_MAP_STEPS);
-    return map->column_guess_words + brdf_measured_line(2 * slices * BRDF_MAP_STEPS * map->rows);
+    lines->words = words;
+    lines->guess_words =
+        lines->words + brdf_measured_line(count * brdf_lines_apart(*lines) + 8);
+    return lines->guess_words + brdf_measured_line(count * brdf_guesses_apart(*lines));
+}
+
+/* Place a map with a density of rows by columns for each slice, from `words` on; where it ends. */
+static inline int brdf_map_place(struct brdf_map *map, int thetas, int phis, int rows, int columns,
+                                 int words)
+{
+    map->marginal.nodes = rows;
+    map->rows.nodes = columns;
+    map->marginal.thetas = map->rows.thetas = thetas;
+    map->marginal.phis = map->rows.phis = phis;
+    return brdf_lines_place(&map->rows, rows, brdf_lines_place(&map->marginal, 1, words));
 }
 
 static inline struct brdf_measured_layout brdf_measured_layout_of(BRDF_GLOBAL const float *table)
@@ -74,16 +84,13 @@ static inline struct brdf_measured_layout brdf_measured_layout_of(BRDF_GLOBAL co
     int size = (int)table[BRDF_MEASURED_SIZE];
     layout.phi_words = BRDF_MEASURED_HEADER;
     layout.theta_words = layout.phi_words + brdf_measured_line(phis);
-    layout.vndf.thetas = thetas;
-    layout.vndf.phis = phis;
-    layout.vndf.rows = (int)table[BRDF_MEASURED_VNDF_ROWS];
-    layout.vndf.columns = (int)table[BRDF_MEASURED_VNDF_COLUMNS];
-    int end = brdf_map_place(&layout.vndf, layout.theta_words + brdf_measured_line(thetas));
-    layout.luminance.thetas = thetas;
-    layout.luminance.phis = phis;
-    layout.luminance.rows = size;
-    layout.luminance.columns = size;
-    layout.color_words = brdf_map_place(&layout.luminance, end);
+    layout.thetas = thetas;
+    layout.phis = phis;
+    layout.size = size;
+    int words = layout.theta_words + brdf_measured_line(thetas);
+    words = brdf_map_place(&layout.vndf, thetas, phis, (int)table[BRDF_MEASURED_VNDF_ROWS],
+                           (int)table[BRDF_MEASURED_VNDF_COLUMNS], words);
+    layout.color_words = brdf_map_place(&layout.luminance, thetas, phis, size, size, words);
     layout.ndf_rows = (int)table[BRDF_MEASURED_NDF_ROWS];
     layout.ndf_columns = (int)table[BRDF_MEASURED_NDF_COLUMNS];
     layout.ndf_words = layout.color_words + brdf_measured_line(4 * phis * thetas * size * size);

@@ -28,9 +28,33 @@ static inline struct brdf_quad brdf_quad_make(brdf_real a, brdf_real b, brdf_rea
     return q;
 }
 
+/* a (1 - t) + b t */
+static inline brdf_real brdf_mix(brdf_real a, brdf_real b, brdf_real t)
+{
+    return a * (1.0f - t) + b * t;
+}
+
+/* The same word by word. */
+static inline struct brdf_quad brdf_quad_mix(struct brdf_quad p, struct brdf_quad q,
+                                             struct brdf_quad t)
+{
+    return brdf_quad_make(brdf_mix(p.a, q.a, t.a), brdf_mix(p.b, q.b, t.b),
+                          brdf_mix(p.c, q.c, t.c), brdf_mix(p.d, q.d, t.d));
+}
+
 #if BRDF_LANES == 1
 
-static inline struct brdf_quad brdf_gather_quad(BRDF_GLOBAL const float *table, brdf_int index)
+static inline struct brdf_quad brdf_quad_transpose(struct brdf_quad q)
+{
+    return q;
+}
+
+static inline struct brdf_quad brdf_quad_spread(brdf_real t)
+{
+    return brdf_quad_make(t, t, t, t);
+}
+
+static inline struct brdf_quad brdf_gather_records(BRDF_GLOBAL const float *table, brdf_int index)
 {
     return brdf_quad_make(table[index], table[index + 1], table[index + 2], table[index + 3]);
 }
@@ -57,12 +81,14 @@ static inline struct brdf_quad brdf_gather_quad(BRDF_GLOBAL const float *table, 
 #define BRDF_ZIP_HIGH(p, q) BRDF_SHUFFLE(p, q, 2, 6, 3, 7)
 #define BRDF_LOW_PAIRS(p, q) BRDF_SHUFFLE(p, q, 0, 1, 4, 5)
 #define BRDF_HIGH_PAIRS(p, q) BRDF_SHUFFLE(p, q, 2, 3, 6, 7)
+#define BRDF_REPEAT(t, k) BRDF_SHUFFLE(t, t, k, k, k, k)
 #elif BRDF_LANES == 8
 #define BRDF_BESIDE(F, k0, k1, k2, k3) (brdf_real)(F(k0), F(k1))
 #define BRDF_ZIP_LOW(p, q) BRDF_SHUFFLE(p, q, 0, 8, 1, 9, 4, 12, 5, 13)
 #define BRDF_ZIP_HIGH(p, q) BRDF_SHUFFLE(p, q, 2, 10, 3, 11, 6, 14, 7, 15)
 #define BRDF_LOW_PAIRS(p, q) BRDF_SHUFFLE(p, q, 0, 1, 8, 9, 4, 5, 12, 13)
 #define BRDF_HIGH_PAIRS(p, q) BRDF_SHUFFLE(p, q, 2, 3, 10, 11, 6, 7, 14, 15)
+#define BRDF_REPEAT(t, k) BRDF_SHUFFLE(t, t, k, k, k, k, k + 4, k + 4, k + 4, k + 4)
 #else
 #define BRDF_BESIDE(F, k0, k1, k2, k3) (brdf_real)(F(k0), F(k1), F(k2), F(k3))
 #define BRDF_ZIP_LOW(p, q)                                                                         \
@@ -73,6 +99,9 @@ static inline struct brdf_quad brdf_gather_quad(BRDF_GLOBAL const float *table, 
     BRDF_SHUFFLE(p, q, 0, 1, 16, 17, 4, 5, 20, 21, 8, 9, 24, 25, 12, 13, 28, 29)
 #define BRDF_HIGH_PAIRS(p, q)                                                                      \
     BRDF_SHUFFLE(p, q, 2, 3, 18, 19, 6, 7, 22, 23, 10, 11, 26, 27, 14, 15, 30, 31)
+#define BRDF_REPEAT(t, k)                                                                          \
+    BRDF_SHUFFLE(t, t, k, k, k, k, k + 4, k + 4, k + 4, k + 4, k + 8, k + 8, k + 8, k + 8, k + 12, \
+                 k + 12, k + 12, k + 12)
 #endif
 
 /* Transpose the 4 x 4 blocks of four vectors; its own inverse. */
@@ -89,20 +118,33 @@ static inline struct brdf_quad brdf_quad_transpose(struct brdf_quad q)
 /* Four floats anywhere. (PoCL makes two loads of vload4.) */
 typedef float4 brdf_four_floats __attribute__((aligned(4)));
 
+/* A number of each lane, beside the words of that lane's record. */
+static inline struct brdf_quad brdf_quad_spread(brdf_real t)
+{
+    return brdf_quad_make(BRDF_REPEAT(t, 0), BRDF_REPEAT(t, 1), BRDF_REPEAT(t, 2),
+                          BRDF_REPEAT(t, 3));
+}
+
 /*
- * Several quads of one record: move `table`, not `index`, so that the lanes of the index are taken
- * apart only once. An index is not negative.
+ * The records at an index, not transposed yet: what is blended with numbers that are spread like
+ * them needs to be transposed once only, after that. Of several records in a fixed distance move
+ * `table`, not `index`, so that the lanes of the index are taken apart only once. An index is not
+ * negative.
  */
-static inline struct brdf_quad brdf_gather_quad(BRDF_GLOBAL const float *table, brdf_int index)
+static inline struct brdf_quad brdf_gather_records(BRDF_GLOBAL const float *table, brdf_int index)
 {
 #define BRDF_LANE(k) *(BRDF_GLOBAL const brdf_four_floats *)(table + as_uint(index.s##k))
-    struct brdf_quad rows =
-        brdf_quad_make(BRDF_BESIDE(BRDF_LANE, 0, 4, 8, c), BRDF_BESIDE(BRDF_LANE, 1, 5, 9, d),
-                       BRDF_BESIDE(BRDF_LANE, 2, 6, a, e), BRDF_BESIDE(BRDF_LANE, 3, 7, b, f));
+    return brdf_quad_make(BRDF_BESIDE(BRDF_LANE, 0, 4, 8, c), BRDF_BESIDE(BRDF_LANE, 1, 5, 9, d),
+                          BRDF_BESIDE(BRDF_LANE, 2, 6, a, e), BRDF_BESIDE(BRDF_LANE, 3, 7, b, f));
 #undef BRDF_LANE
-    return brdf_quad_transpose(rows);
 }
 
 #endif
+
+/* The four words at an index, in every lane. */
+static inline struct brdf_quad brdf_gather_quad(BRDF_GLOBAL const float *table, brdf_int index)
+{
+    return brdf_quad_transpose(brdf_gather_records(table, index));
+}
 
 #endif

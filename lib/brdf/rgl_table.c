@@ -95,29 +95,40 @@ static double map_integral(const float *data, int rows, int columns)
     return sum / ((rows - 1.0) * (columns - 1.0));
 }
 
-/* The place, in cells, where a line of integrals at the nodes reaches the part u of the last. */
-static double line_invert(const float *line, size_t apart, int nodes, double u)
+/* The nodes of one slice of a line: pairs of a density and the integral up to there. */
+static float *line_nodes(float *table, const struct brdf_lines *lines, int line, int slice)
 {
-    double wanted = u * (double)line[apart * (size_t)(nodes - 1)];
+    return table + lines->words + (size_t)line * (size_t)brdf_lines_apart(*lines) +
+           2 * (size_t)slice * (size_t)lines->nodes;
+}
+
+/* The place, in cells, where the integrals of a line reach the part u of the last. */
+static double line_invert(const float *nodes, int count, double u)
+{
+    double wanted = u * (double)nodes[2 * count - 1];
     int cell = 0;
-    while (cell < nodes - 2 && (double)line[apart * (size_t)(cell + 1)] < wanted) {
+    while (cell < count - 2 && (double)nodes[2 * cell + 3] < wanted) {
         ++cell;
     }
-    double begin = (double)line[apart * (size_t)cell];
-    double width = (double)line[apart * (size_t)(cell + 1)] - begin;
+    double begin = (double)nodes[2 * cell + 1];
+    double width = (double)nodes[2 * cell + 3] - begin;
     double inside = width > 0.0 ? (wanted - begin) / width : 0.0;
     return cell + (inside < 0.0 ? 0.0 : inside > 1.0 ? 1.0 : inside);
 }
 
 /* The inverse of a line at the steps, each with the next, times the whole. */
-static void guesses_build(float *words, const float *line, size_t apart, int nodes)
+static void guesses_build(float *table, const struct brdf_lines *lines, int line, int slice)
 {
-    double all = (double)line[apart * (size_t)(nodes - 1)];
-    for (int step = 0; step < BRDF_MAP_STEPS; ++step) {
+    const float *nodes = line_nodes(table, lines, line, slice);
+    double all = (double)nodes[2 * lines->nodes - 1];
+    float *words = table + lines->guess_words + (size_t)line * (size_t)brdf_guesses_apart(*lines) +
+                   2 * (size_t)slice;
+    size_t apart = 2 * (size_t)(lines->thetas * lines->phis);
+    for (int step = 0; step < BRDF_LINE_STEPS; ++step) {
         float *pair = words + apart * (size_t)step;
         for (int i = 0; i < 2; ++i) {
-            float u = brdf_map_step((float)(step + i) / (float)BRDF_MAP_STEPS);
-            pair[i] = (float)(all * line_invert(line, apart, nodes, (double)u));
+            float u = brdf_line_step((float)(step + i) / (float)BRDF_LINE_STEPS);
+            pair[i] = (float)(all * line_invert(nodes, lines->nodes, (double)u));
         }
     }
 }
@@ -128,50 +139,50 @@ static void guesses_build(float *words, const float *line, size_t apart, int nod
  */
 static void slice_build(float *table, const struct brdf_map *map, int slice, const float *data)
 {
-    size_t apart = 2 * (size_t)(map->thetas * map->phis);
-    float *row_words = table + map->row_words + 2 * slice;
-    float *node_words = table + map->node_words + 2 * slice;
-    double total = map_integral(data, map->rows, map->columns);
+    int rows = map->marginal.nodes;
+    int columns = map->rows.nodes;
+    float *across = line_nodes(table, &map->marginal, 0, slice);
+    double total = map_integral(data, rows, columns);
     double norm = total > 1e-30 ? 1.0 / total : 0.0;
     double flat = total > 1e-30 ? 0.0 : 1.0;
     double sum = 0.0;
     double before = 0.0;
-    for (int row = 0; row < map->rows; ++row) {
+    for (int row = 0; row < rows; ++row) {
+        float *nodes = line_nodes(table, &map->rows, row, slice);
         double along = 0.0;
         double left = 0.0;
-        for (int column = 0; column < map->columns; ++column) {
-            size_t node = (size_t)row * (size_t)map->columns + (size_t)column;
-            double value = flat + norm * node_value(data, node);
-            along += column > 0 ? 0.5 * (left + value) / (map->columns - 1.0) : 0.0;
-            node_words[apart * node] = (float)value;
-            node_words[apart * node + 1] = (float)along;
+        for (int column = 0; column < columns; ++column) {
+            double value = flat + norm * node_value(data, (size_t)(row * columns + column));
+            along += column > 0 ? 0.5 * (left + value) / (columns - 1.0) : 0.0;
+            nodes[2 * column] = (float)value;
+            nodes[2 * column + 1] = (float)along;
             left = value;
         }
-        sum += row > 0 ? 0.5 * (before + along) / (map->rows - 1.0) : 0.0;
-        guesses_build(
-            table + map->column_guess_words + 2 * slice + apart * BRDF_MAP_STEPS * (size_t)row,
-            node_words + apart * (size_t)map->columns * (size_t)row + 1, apart, map->columns);
-        row_words[apart * (size_t)row] = (float)sum;
-        row_words[apart * (size_t)row + 1] = (float)along;
+        guesses_build(table, &map->rows, row, slice);
+        sum += row > 0 ? 0.5 * (before + along) / (rows - 1.0) : 0.0;
+        across[2 * row] = (float)along;
+        across[2 * row + 1] = (float)sum;
         before = along;
     }
-    guesses_build(table + map->row_guess_words + 2 * slice, row_words, apart, map->rows);
+    guesses_build(table, &map->marginal, 0, slice);
 }
 
 /* Colours of one slice, each with the density that the map of luminance has there. */
 static void colors_build(float *table, const struct brdf_measured_layout *layout, int slice,
                          const float *values)
 {
-    size_t slices = (size_t)(layout->luminance.thetas * layout->luminance.phis);
-    size_t nodes = (size_t)layout->luminance.rows * (size_t)layout->luminance.columns;
-    const float *density = table + layout->luminance.node_words;
-    for (size_t node = 0; node < nodes; ++node) {
-        size_t place = node * slices + (size_t)slice;
-        float *color = table + layout->color_words + 4 * place;
-        for (size_t channel = 0; channel < 3; ++channel) {
-            color[channel] = values[channel * nodes + node];
+    size_t slices = (size_t)(layout->thetas * layout->phis);
+    size_t nodes = (size_t)layout->size * (size_t)layout->size;
+    for (int row = 0; row < layout->size; ++row) {
+        const float *line = line_nodes(table, &layout->luminance.rows, row, slice);
+        for (int column = 0; column < layout->size; ++column) {
+            size_t node = (size_t)row * (size_t)layout->size + (size_t)column;
+            float *color = table + layout->color_words + 4 * (node * slices + (size_t)slice);
+            for (size_t channel = 0; channel < 3; ++channel) {
+                color[channel] = values[channel * nodes + node];
+            }
+            color[3] = line[2 * column];
         }
-        color[3] = density[2 * place];
     }
 }
 
@@ -194,7 +205,7 @@ static void normals_fill(float *table, const struct brdf_measured_layout *layout
 {
     size_t vndf = (size_t)file->vndf_rows * (size_t)file->vndf_columns;
     knots_build(table, layout, file);
-    for (int slice = 0; slice < layout->vndf.thetas * layout->vndf.phis; ++slice) {
+    for (int slice = 0; slice < layout->thetas * layout->phis; ++slice) {
         slice_build(table, &layout->vndf, slice, file->vndf + slice_source(file, slice) * vndf);
     }
     cells_build(table + layout->ndf_words, file->ndf, layout->ndf_rows, layout->ndf_columns);
@@ -206,7 +217,7 @@ static void values_fill(float *table, const struct brdf_measured_layout *layout,
                         const struct brdf_rgl_file *file)
 {
     size_t square = (size_t)file->size * (size_t)file->size;
-    for (int slice = 0; slice < layout->luminance.thetas * layout->luminance.phis; ++slice) {
+    for (int slice = 0; slice < layout->thetas * layout->phis; ++slice) {
         size_t source = slice_source(file, slice);
         slice_build(table, &layout->luminance, slice, file->luminance + source * square);
         colors_build(table, layout, slice, file->values + source * 3 * square);
@@ -217,7 +228,7 @@ static void values_fill(float *table, const struct brdf_measured_layout *layout,
 static double words_estimate(const struct brdf_rgl_file *file)
 {
     double views = (double)file->phi_count * theta_slices(file);
-    double steps = BRDF_MAP_STEPS;
+    double steps = BRDF_LINE_STEPS;
     return views * (2.0 * file->vndf_rows * (file->vndf_columns + 1.0 + steps) + 4.0 * steps +
                     2.0 * file->size * (3.0 * file->size + 1.0 + steps)) +
            4.0 * file->ndf_rows * file->ndf_columns + 4.0 * file->sigma_rows * file->sigma_columns;

@@ -57,17 +57,18 @@ static inline struct brdf_measured_interval brdf_measured_interval_of(brdf_real 
 /* wo as the file sees it. */
 struct brdf_measured_view {
     brdf_vec3 wo;
-    brdf_vec3 azimuth; /* of wo, a unit vector in the plane */
-    brdf_real sx;      /* signs with which directions were mirrored into the measured part */
+    brdf_real radius; /* of wo in the plane: the sine of its theta */
+    brdf_real sx;     /* signs with which directions were mirrored into the measured part */
     brdf_real sy;
     brdf_real theta; /* of wo, as a place in [0, 1] along the columns of sigma */
     brdf_real phi;   /* as a place along its rows */
     struct brdf_slices slices;
 };
 
-static inline brdf_real brdf_measured_theta(brdf_vec3 w)
+/* The angle from the normal to (radius, z), where z >= 0. */
+static inline brdf_real brdf_measured_theta(brdf_real radius, brdf_real z)
 {
-    return brdf_max(brdf_atan2(sqrtf(w.x * w.x + w.y * w.y), w.z), 0.0f);
+    return brdf_max(brdf_atan2(radius, z), 0.0f);
 }
 
 /* Angles to places in [0, 1] and back: theta goes by its square root. */
@@ -96,27 +97,34 @@ static inline struct brdf_measured_view brdf_measured_view_of(struct brdf_measur
         wo.y = -fabsf(wo.y);
     }
     view.wo = wo;
-    view.azimuth = brdf_azimuth(wo);
-    brdf_real theta = brdf_measured_theta(wo);
+    view.radius = sqrtf(wo.x * wo.x + wo.y * wo.y);
+    brdf_real theta = brdf_measured_theta(view.radius, wo.z);
     struct brdf_measured_interval along =
-        brdf_measured_interval_of(theta, layout.vndf.thetas, table + layout.theta_words);
+        brdf_measured_interval_of(theta, layout.thetas, table + layout.theta_words);
     view.theta = brdf_measured_column(theta);
     view.phi = 0.0f * theta;
     view.slices.first = along.first;
     view.slices.high = along.blend;
-    view.slices.low = 1.0f - along.blend;
     view.slices.phi_high = 0.0f * theta;
-    view.slices.phi_low = 1.0f;
-    if (layout.vndf.phis > 1) {
+    view.slices.alone = 0;
+    if (layout.phis > 1) {
         brdf_real phi = brdf_atan2(wo.y, wo.x);
         struct brdf_measured_interval around =
-            brdf_measured_interval_of(phi, layout.vndf.phis, table + layout.phi_words);
+            brdf_measured_interval_of(phi, layout.phis, table + layout.phi_words);
         view.phi = brdf_measured_row(phi);
-        view.slices.first = view.slices.first + around.first * layout.vndf.thetas;
+        view.slices.first = view.slices.first + around.first * layout.thetas;
         view.slices.phi_high = around.blend;
-        view.slices.phi_low = 1.0f - around.blend;
     }
     return view;
+}
+
+/* What azimuths of normals are relative to, in the plane: wo, of length view.radius, or x. */
+static inline brdf_vec3 brdf_measured_axis(struct brdf_measured_layout layout,
+                                           struct brdf_measured_view view)
+{
+    brdf_mask leans = brdf_mask_of(layout.isotropic) & (view.radius > 1e-15f);
+    return brdf_vec3_make(brdf_pick(leans, view.wo.x, 1.0f), brdf_pick(leans, view.wo.y, 0.0f),
+                          0.0f);
 }
 
 /* A cell of D or sigma, whose corners lie side by side. */
@@ -124,8 +132,8 @@ static inline brdf_real brdf_measured_grid(int rows, int columns, brdf_real x, b
                                            BRDF_GLOBAL const float *words)
 {
     brdf_real tx, ty;
-    brdf_int column = brdf_map_cell(x, columns, &tx);
-    brdf_int row = brdf_map_cell(y, rows, &ty);
+    brdf_int column = brdf_grid_cell(x, columns, &tx);
+    brdf_int row = brdf_grid_cell(y, rows, &ty);
     struct brdf_quad q = brdf_gather_quad(words, 4 * (row * (columns - 1) + column));
     return brdf_mix(brdf_mix(q.a, q.b, tx), brdf_mix(q.c, q.d, tx), ty);
 }
@@ -146,110 +154,113 @@ static inline brdf_real brdf_measured_factor(struct brdf_measured_layout layout,
     return factor;
 }
 
-/* Colour and density of luminance at a node, blended between the slices. */
-static inline struct brdf_quad brdf_measured_node(struct brdf_measured_layout layout,
-                                                  struct brdf_slices slices,
-                                                  BRDF_GLOBAL const float *words, brdf_int index)
+/* Colours and density of luminance at the corners of a cell, all blended. */
+static inline struct brdf_quad brdf_measured_corners(struct brdf_slices slices, int across,
+                                                     int along, brdf_real tx, brdf_real ty,
+                                                     BRDF_GLOBAL const float *words, brdf_int index)
 {
-    struct brdf_quad p = brdf_gather_quad(words, index);
-    struct brdf_quad q = brdf_gather_quad(words + 4, index);
-    p.a = p.a * slices.low + q.a * slices.high;
-    p.b = p.b * slices.low + q.b * slices.high;
-    p.c = p.c * slices.low + q.c * slices.high;
-    p.d = p.d * slices.low + q.d * slices.high;
-    if (layout.vndf.phis > 1) {
-        words = words + 4 * layout.vndf.thetas;
-        struct brdf_quad r = brdf_gather_quad(words, index);
-        q = brdf_gather_quad(words + 4, index);
-        p.a = p.a * slices.phi_low + (r.a * slices.low + q.a * slices.high) * slices.phi_high;
-        p.b = p.b * slices.phi_low + (r.b * slices.low + q.b * slices.high) * slices.phi_high;
-        p.c = p.c * slices.phi_low + (r.c * slices.low + q.c * slices.high) * slices.phi_high;
-        p.d = p.d * slices.phi_low + (r.d * slices.low + q.d * slices.high) * slices.phi_high;
-    }
-    return p;
+    struct brdf_quad up = brdf_quad_spread(ty);
+    struct brdf_quad left =
+        brdf_quad_mix(brdf_thetas_blend(slices, 4, words, index),
+                      brdf_thetas_blend(slices, 4, words + across, index), up);
+    words = words + along;
+    struct brdf_quad right =
+        brdf_quad_mix(brdf_thetas_blend(slices, 4, words, index),
+                      brdf_thetas_blend(slices, 4, words + across, index), up);
+    return brdf_quad_mix(left, right, brdf_quad_spread(tx));
 }
 
-static inline struct brdf_quad brdf_measured_between(struct brdf_quad p, struct brdf_quad q,
-                                                     brdf_real t)
-{
-    p.a = brdf_mix(p.a, q.a, t);
-    p.b = brdf_mix(p.b, q.b, t);
-    p.c = brdf_mix(p.c, q.c, t);
-    p.d = brdf_mix(p.d, q.d, t);
-    return p;
-}
-
-/* Colour and density of luminance at a place of the square. */
+/* Colour and density of luminance at a point of the warped square. */
 static inline struct brdf_quad brdf_measured_color(struct brdf_measured_layout layout,
-                                                   struct brdf_slices slices, brdf_real x,
-                                                   brdf_real y, BRDF_GLOBAL const float *table)
+                                                   struct brdf_slices slices,
+                                                   struct brdf_point point,
+                                                   BRDF_GLOBAL const float *table)
 {
     brdf_real tx, ty;
-    int size = layout.luminance.columns;
-    brdf_int column = brdf_map_cell(x, size, &tx);
-    brdf_int row = brdf_map_cell(y, size, &ty);
-    int apart = 4 * layout.vndf.thetas * layout.vndf.phis;
-    brdf_int index = (row * size + column) * apart + 4 * slices.first;
-    BRDF_GLOBAL const float *near = table + layout.color_words;
-    BRDF_GLOBAL const float *far = near + apart * size;
-    struct brdf_quad lower =
-        brdf_measured_between(brdf_measured_node(layout, slices, near, index),
-                              brdf_measured_node(layout, slices, near + apart, index), tx);
-    struct brdf_quad upper =
-        brdf_measured_between(brdf_measured_node(layout, slices, far, index),
-                              brdf_measured_node(layout, slices, far + apart, index), tx);
-    return brdf_measured_between(lower, upper, ty);
+    brdf_int column = brdf_grid_cell(point.x, layout.size, &tx);
+    brdf_int row = brdf_grid_cell(point.y, layout.size, &ty);
+    int along = 4 * layout.thetas * layout.phis;
+    int across = along * layout.size;
+    brdf_int index = (row * layout.size + column) * along + 4 * slices.first;
+    BRDF_GLOBAL const float *words = table + layout.color_words;
+    struct brdf_quad color = brdf_measured_corners(slices, across, along, tx, ty, words, index);
+    if (layout.phis > 1) {
+        words = words + 4 * layout.thetas;
+        color = brdf_quad_mix(color,
+                              brdf_measured_corners(slices, across, along, tx, ty, words, index),
+                              brdf_quad_spread(slices.phi_high));
+    }
+    return brdf_quad_transpose(color);
 }
 
-/* What the file says of a pair of directions: f cos(theta_i) [1/sr] and the density [1/sr]. */
-struct brdf_measured_value {
-    brdf_rgb color;
-    brdf_real pdf;
+/* f cos(theta_i) [1/sr] of a colour. */
+static inline brdf_rgb brdf_measured_rgb(struct brdf_quad color, brdf_real factor)
+{
+    return brdf_rgb_make(brdf_max(color.a * factor, 0.0f), brdf_max(color.b * factor, 0.0f),
+                         brdf_max(color.c * factor, 0.0f));
+}
+
+/* The normal halfway between two directions, as a place of the file's square. */
+struct brdf_measured_facet {
+    brdf_real x;
+    brdf_real y;
+    brdf_real sine;   /* of its theta */
+    brdf_real cosine; /* from it to wo */
 };
 
-static inline struct brdf_measured_value brdf_measured_look(brdf_vec3 wo, brdf_vec3 wi,
-                                                            BRDF_GLOBAL const float *table)
+static inline struct brdf_measured_facet
+brdf_measured_facet_of(struct brdf_measured_layout layout, struct brdf_measured_view view,
+                       brdf_vec3 wi)
 {
-    struct brdf_measured_layout layout = brdf_measured_layout_of(table);
-    struct brdf_measured_view view = brdf_measured_view_of(layout, wo, table);
-    wi.x = wi.x * view.sx;
-    wi.y = wi.y * view.sy;
-    brdf_vec3 sum = brdf_add(view.wo, wi);
-    brdf_vec3 axis = layout.isotropic ? view.azimuth : brdf_vec3_make(1.0f, 0.0f, 0.0f);
-    brdf_real x = brdf_measured_column(brdf_measured_theta(sum));
-    brdf_real y = brdf_measured_row(
+    brdf_vec3 sum = brdf_add(view.wo, brdf_vec3_make(wi.x * view.sx, wi.y * view.sy, wi.z));
+    brdf_vec3 axis = brdf_measured_axis(layout, view);
+    brdf_real square = sum.x * sum.x + sum.y * sum.y;
+    brdf_real radius = sqrtf(square);
+    brdf_real length = sqrtf(brdf_max(square + sum.z * sum.z, 1e-12f));
+    struct brdf_measured_facet facet;
+    facet.x = brdf_measured_column(brdf_measured_theta(radius, sum.z));
+    facet.y = brdf_measured_row(
         brdf_atan2(axis.x * sum.y - axis.y * sum.x, axis.x * sum.x + axis.y * sum.y));
-    struct brdf_point point = brdf_map_invert(layout.vndf, view.slices, x, y, table);
-    struct brdf_quad color = brdf_measured_color(layout, view.slices, point.x, point.y, table);
+    facet.sine = radius / length;
+    facet.cosine = 0.5f * length;
+    return facet;
+}
 
-    struct brdf_measured_value value;
-    brdf_real factor = brdf_measured_factor(layout, view, x, y, table);
-    value.color = brdf_rgb_make(brdf_max(color.a * factor, 0.0f), brdf_max(color.b * factor, 0.0f),
-                                brdf_max(color.c * factor, 0.0f));
-
-    /* d(wi) = 4 (wo . h) d(h), and d(h) = 2 pi^2 x sin(theta) dx dy; wo . h is half of |sum|. */
-    brdf_real length = sqrtf(brdf_max(brdf_dot(sum, sum), 1e-12f));
-    brdf_real sine = sqrtf(sum.x * sum.x + sum.y * sum.y) / length;
-    brdf_real jacobian = brdf_max(19.7392088f * x * sine, 1e-6f) * (2.0f * length);
-    brdf_real pdf = point.pdf * color.d / jacobian;
-    brdf_mask above = (wo.z > 0.0f) & (wi.z > 0.0f);
-    value.color = brdf_rgb_pick(above, value.color, brdf_gray(0.0f));
-    value.pdf = brdf_pick(above & (pdf > 1e-9f), pdf, 0.0f);
-    return value;
+/*
+ * The solid angle of wi over the area of the square: d(wi) = 4 (wo . h) d(h), and
+ * d(h) = 2 pi^2 x sin(theta) dx dy.
+ */
+static inline brdf_real brdf_measured_jacobian(struct brdf_measured_facet facet)
+{
+    return brdf_max(19.7392088f * facet.x * facet.sine, 1e-6f) * (4.0f * facet.cosine);
 }
 
 static inline brdf_rgb brdf_measured_eval(struct brdf_measured p, brdf_vec3 wo, brdf_vec3 wi,
                                           BRDF_GLOBAL const float *table)
 {
-    brdf_rgb color = brdf_measured_look(wo, wi, table).color;
-    return brdf_rgb_scale(color, p.scale / brdf_max(wi.z, 1e-6f));
+    struct brdf_measured_layout layout = brdf_measured_layout_of(table);
+    struct brdf_measured_view view = brdf_measured_view_of(layout, wo, table);
+    struct brdf_measured_facet facet = brdf_measured_facet_of(layout, view, wi);
+    struct brdf_point point = brdf_map_invert(layout.vndf, view.slices, facet.x, facet.y, table);
+    brdf_real factor = brdf_measured_factor(layout, view, facet.x, facet.y, table);
+    brdf_rgb color =
+        brdf_measured_rgb(brdf_measured_color(layout, view.slices, point, table), factor);
+    brdf_mask above = (wo.z > 0.0f) & (wi.z > 0.0f);
+    return brdf_rgb_pick(above, brdf_rgb_scale(color, p.scale / brdf_max(wi.z, 1e-6f)),
+                         brdf_gray(0.0f));
 }
 
 static inline brdf_real brdf_measured_pdf(struct brdf_measured p, brdf_vec3 wo, brdf_vec3 wi,
                                           BRDF_GLOBAL const float *table)
 {
     (void)p;
-    return brdf_measured_look(wo, wi, table).pdf;
+    struct brdf_measured_layout layout = brdf_measured_layout_of(table);
+    struct brdf_measured_view view = brdf_measured_view_of(layout, wo, table);
+    struct brdf_measured_facet facet = brdf_measured_facet_of(layout, view, wi);
+    struct brdf_point point = brdf_map_invert(layout.vndf, view.slices, facet.x, facet.y, table);
+    brdf_real bright = brdf_map_density(layout.luminance, view.slices, point.x, point.y, table);
+    brdf_real pdf = point.pdf * bright / brdf_measured_jacobian(facet);
+    return brdf_pick((wo.z > 0.0f) & (wi.z > 0.0f) & (pdf > 1e-9f), pdf, 0.0f);
 }
 
 /* A normal of the file at a place of its square, turned to where wo is. */
@@ -261,23 +272,50 @@ static inline brdf_vec3 brdf_measured_normal(struct brdf_point place, brdf_vec3 
                           tilt.sin * (turn.cos * axis.y + turn.sin * axis.x), tilt.cos);
 }
 
+/*
+ * One of the slices that are blended, by u: what is sampled from it has the blended density, which
+ * is a mixture of theirs, and costs half as much.
+ */
+static inline struct brdf_slices brdf_measured_slice(struct brdf_measured_layout layout,
+                                                     struct brdf_slices slices, brdf_real u)
+{
+    if (layout.phis > 1) {
+        brdf_mask next = u < slices.phi_high;
+        brdf_real part = brdf_pick(next, slices.phi_high, 1.0f - slices.phi_high);
+        u = brdf_pick(next, u, u - slices.phi_high) / brdf_max(part, 1e-9f);
+        slices.first = slices.first + brdf_pick_int(next, layout.thetas, 0);
+    }
+    slices.first = slices.first + brdf_pick_int(u < slices.high, 1, 0);
+    slices.alone = 1;
+    return slices;
+}
+
 static inline struct brdf_sample brdf_measured_sample(struct brdf_measured p, brdf_vec3 wo,
                                                       brdf_vec3 u, BRDF_GLOBAL const float *table)
 {
     struct brdf_measured_layout layout = brdf_measured_layout_of(table);
     struct brdf_measured_view view = brdf_measured_view_of(layout, wo, table);
-    struct brdf_point bright = brdf_map_sample(layout.luminance, view.slices, u.y, u.x, table);
+    struct brdf_slices slice = brdf_measured_slice(layout, view.slices, u.z);
+    struct brdf_point bright = brdf_map_sample(layout.luminance, slice, u.y, u.x, table);
     struct brdf_point place = brdf_map_sample(layout.vndf, view.slices, bright.x, bright.y, table);
-    brdf_vec3 axis = layout.isotropic ? view.azimuth : brdf_vec3_make(1.0f, 0.0f, 0.0f);
-    brdf_vec3 wi = brdf_reflect(view.wo, brdf_measured_normal(place, axis));
+    brdf_vec3 axis = brdf_normalize(brdf_measured_axis(layout, view));
+    brdf_vec3 normal = brdf_measured_normal(place, axis);
+    struct brdf_measured_facet facet;
+    facet.x = place.x;
+    facet.y = place.y;
+    facet.sine = sqrtf(normal.x * normal.x + normal.y * normal.y);
+    facet.cosine = brdf_dot(view.wo, normal);
+    brdf_vec3 wi = brdf_sub(brdf_scale(normal, 2.0f * facet.cosine), view.wo);
+
+    brdf_real factor = brdf_measured_factor(layout, view, facet.x, facet.y, table);
+    struct brdf_quad color = brdf_measured_color(layout, view.slices, bright, table);
+    brdf_real pdf = place.pdf * color.d / brdf_measured_jacobian(facet);
+    brdf_mask valid = (wo.z > 0.0f) & (wi.z > 0.0f) & (facet.cosine > 0.0f) & (pdf > 1e-9f);
     wi.x = wi.x * view.sx;
     wi.y = wi.y * view.sy;
-    struct brdf_measured_value value = brdf_measured_look(wo, wi, table);
-    brdf_mask valid = value.pdf > 0.0f;
-    brdf_real cosine = wi.z / brdf_max(wi.z, 1e-6f);
     brdf_rgb weight =
-        brdf_rgb_scale(value.color, p.scale * cosine / brdf_pick(valid, value.pdf, 1.0f));
-    return brdf_sample_where(valid, brdf_sample_make(wi, weight, value.pdf));
+        brdf_rgb_scale(brdf_measured_rgb(color, factor), p.scale / brdf_pick(valid, pdf, 1.0f));
+    return brdf_sample_where(valid, brdf_sample_make(wi, weight, pdf));
 }
 
 #endif
