@@ -1,6 +1,6 @@
 /*
- * test_measured.c - the model measured: against the materials that its files were made of, its
- * warp, its density, C against OpenCL, and published measurements where they are at hand.
+ * test_measured.c - values of the model measured: against the materials that its files were made
+ * of, and published measurements where they are at hand.
  */
 #define _XOPEN_SOURCE 700
 
@@ -10,47 +10,8 @@
 #include <stdint.h>
 #include <cmocka.h>
 
-#include <brdf/model/measured.h>
-#include <brdfcl/device.h>
-#include <brdfcl/evaluate.h>
-
-#include "density.h"
-#include "rgl_files.h"
-#include "rgl_table.h"
+#include "rgl_pair.h"
 #include "support_bsdf.h"
-
-#define GLOSSY "roughconductor:material=Cu,alpha=0.2"
-#define BRUSHED "roughconductor:material=Cu,alpha_u=0.15,alpha_v=0.4"
-
-static const struct brdf_rgl_grid anisotropic = {.phis = 7, .symmetry = 4, .thetas = 12};
-
-/* Files made once: isotropic, and anisotropic with a symmetry. */
-struct measured {
-    struct brdf_bsdf *glossy;
-    struct brdf_bsdf *brushed;
-};
-
-static int materials_make(void **state)
-{
-    struct measured *m = calloc(1, sizeof *m);
-    struct brdf_rgl_file glossy = rgl_test_make(GLOSSY, NULL);
-    struct brdf_rgl_file brushed = rgl_test_make(BRUSHED, &anisotropic);
-    m->glossy = rgl_test_load(&glossy);
-    m->brushed = rgl_test_load(&brushed);
-    brdf_rgl_free(&glossy);
-    brdf_rgl_free(&brushed);
-    *state = m;
-    return 0;
-}
-
-static int materials_free(void **state)
-{
-    struct measured *m = *state;
-    brdf_bsdf_destroy(m->glossy);
-    brdf_bsdf_destroy(m->brushed);
-    free(m);
-    return 0;
-}
 
 /* Albedo of `made` over that of `original`, and the mean |difference| over it. */
 struct fidelity {
@@ -80,7 +41,7 @@ static struct fidelity fidelity_of(const struct brdf_bsdf *made, const char *ori
 
 static void files_hold_what_they_were_made_of(void **state)
 {
-    struct measured *m = *state;
+    struct rgl_pair *m = *state;
     struct fidelity glossy = fidelity_of(m->glossy, GLOSSY);
     struct fidelity brushed = fidelity_of(m->brushed, BRUSHED);
     print_message("    isotropic: albedo off by %.2f %%, f by %.2f %%; anisotropic %.2f, %.2f %%\n",
@@ -144,35 +105,10 @@ static void spectra_become_colours(void **state)
     brdf_rgl_free(&rising);
 }
 
-/* Sampling the warp and inverting it, anywhere that has density. */
-static void warps_are_inverted(void **state)
-{
-    struct measured *m = *state;
-    struct brdfcl_random random = {2};
-    const struct brdf_bsdf *materials[2] = {m->glossy, m->brushed};
-    for (int i = 0; i < 100000; ++i) {
-        size_t words;
-        const float *table = brdf_bsdf_table(materials[i % 2], &words);
-        struct brdf_measured_layout layout = brdf_measured_layout_of(table);
-        assert_int_equal(layout.words, words);
-        brdf_vec3 wo = random_above(&random);
-        struct brdf_measured_view view = brdf_measured_view_of(layout, wo, table);
-        struct brdf_map map = i & 2 ? layout.luminance : layout.vndf;
-        brdf_vec3 u = random_cube(&random);
-        struct brdf_point there = brdf_map_sample(map, view.slices, u.x, u.y, table);
-        struct brdf_point back = brdf_map_invert(map, view.slices, there.x, there.y, table);
-        assert_float_equal(back.y, u.y, 1e-5f);
-        if (there.pdf > 0.05f) {
-            assert_float_equal(back.x, u.x, 1e-4f);
-        }
-        assert_true(fabsf(back.pdf - there.pdf) <= 2e-3f * there.pdf + 1e-3f);
-    }
-}
-
 /* Mirrored in x and in y an anisotropic material of a quarter turn is the same. */
 static void symmetries_hold(void **state)
 {
-    struct measured *m = *state;
+    struct rgl_pair *m = *state;
     struct brdfcl_random random = {3};
     double asymmetric = 0.0;
     for (int i = 0; i < 50000; ++i) {
@@ -189,57 +125,6 @@ static void symmetries_hold(void **state)
         asymmetric += fabs((double)(brdf_eval(m->brushed, a, b).g - f)) > 0.1 * (double)f;
     }
     assert_true(asymmetric > 25000.0); /* turned by a quarter it is another one */
-}
-
-/* The generic tests do this for an isotropic file. */
-static void samples_have_the_density_of_pdf(void **state)
-{
-    struct measured *m = *state;
-    for (int view = 0; view < 4; ++view) {
-        struct lab_density density;
-        assert_int_equal(lab_try_density(m->brushed, view, 50000, 1, 1e-4, &density, NULL), 0);
-        print_message("    %.0f degrees: mass off by %.2g, p = %.2g\n", lab_view_angle[view],
-                      density.mass.measured, density.chi2.measured);
-        assert_int_equal(density.mass.verdict, LAB_PASS);
-        assert_int_equal(density.chi2.verdict, LAB_PASS);
-    }
-}
-
-/* The generic test does this for an isotropic file, at every number of lanes. */
-static void opencl_gives_the_same_bits(void **state)
-{
-    enum { COUNT = 4096 };
-    struct measured *m = *state;
-    static float in[6][COUNT], f[3][COUNT], pdf[COUNT];
-    struct brdfcl_device *device = NULL;
-    struct brdfcl_evaluator *evaluator = NULL;
-    struct brdfcl_random random = {6};
-    if (brdfcl_device_open(NULL, 0, 0, &device, NULL)) {
-        print_message("    skipped, no OpenCL device\n");
-        skip();
-    }
-    for (int i = 0; i < COUNT; ++i) {
-        brdf_vec3 w[2] = {random_above(&random), random_above(&random)};
-        for (int k = 0; k < 2; ++k) {
-            in[3 * k][i] = w[k].x;
-            in[3 * k + 1][i] = w[k].y;
-            in[3 * k + 2][i] = w[k].z;
-        }
-    }
-    struct brdf_vectors wo = {in[0], in[1], in[2]}, wi = {in[3], in[4], in[5]};
-    struct brdf_colors colors = {f[0], f[1], f[2]};
-    assert_int_equal(brdfcl_evaluator_create(device, m->brushed, &evaluator, NULL), BRDF_OK);
-    assert_int_equal(brdfcl_evaluator_eval(evaluator, COUNT, wo, wi, colors, NULL), BRDF_OK);
-    assert_int_equal(brdfcl_evaluator_pdf(evaluator, COUNT, wo, wi, pdf, NULL), BRDF_OK);
-    for (int i = 0; i < COUNT; ++i) {
-        brdf_vec3 o = brdf_vec3_make(in[0][i], in[1][i], in[2][i]);
-        brdf_vec3 w = brdf_vec3_make(in[3][i], in[4][i], in[5][i]);
-        brdf_rgb c = brdf_eval(m->brushed, o, w);
-        assert_true(c.r == f[0][i] && c.g == f[1][i] && c.b == f[2][i]);
-        assert_true(brdf_pdf(m->brushed, o, w) == pdf[i]);
-    }
-    brdfcl_evaluator_destroy(evaluator);
-    brdfcl_device_close(device);
 }
 
 /* Published measurements: albedos at 30 degrees as others find them. */
@@ -286,11 +171,8 @@ int main(void)
         cmocka_unit_test(files_hold_what_they_were_made_of),
         cmocka_unit_test(finer_grids_come_closer),
         cmocka_unit_test(spectra_become_colours),
-        cmocka_unit_test(warps_are_inverted),
         cmocka_unit_test(symmetries_hold),
-        cmocka_unit_test(samples_have_the_density_of_pdf),
-        cmocka_unit_test(opencl_gives_the_same_bits),
         cmocka_unit_test(published_files_have_their_albedos),
     };
-    return cmocka_run_group_tests(tests, materials_make, materials_free);
+    return cmocka_run_group_tests(tests, rgl_pair_make, rgl_pair_free);
 }

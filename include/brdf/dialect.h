@@ -190,8 +190,8 @@ static inline brdf_int brdf_gather_int(BRDF_GLOBAL const int *table, brdf_int in
 #endif
 }
 
-/* Is the mask true in some lane, in every lane? One answer for all lanes: a branch on it is fine.
-   By halves: any() may become a branch for each lane. */
+/* Is the mask true in some lane? One answer for all lanes: a branch on it is fine. By halves, for
+   any() may become a branch for each lane. */
 static inline int brdf_any(brdf_mask mask)
 {
 #if BRDF_LANES == 1
@@ -208,11 +208,6 @@ static inline int brdf_any(brdf_mask mask)
     int2 by2 = by4.lo | by4.hi;
     return (by2.x | by2.y) != 0;
 #endif
-}
-
-static inline int brdf_all(brdf_mask mask)
-{
-    return !brdf_any(mask == 0);
 }
 
 /* 0, 1, 2 ... : the number of each lane. */
@@ -276,11 +271,6 @@ static inline brdf_int brdf_gather_int(BRDF_GLOBAL const int *table, brdf_int in
 }
 
 static inline int brdf_any(brdf_mask mask)
-{
-    return mask != 0;
-}
-
-static inline int brdf_all(brdf_mask mask)
 {
     return mask != 0;
 }

@@ -34,8 +34,8 @@ struct brdf_slices {
 
 /* Lines of the same length; one for all lanes. */
 struct brdf_lines {
-    int nodes;       /* of each, >= 2 */
-    int thetas;      /* slices: theta_i, >= 2, and phi_i, >= 1 */
+    int nodes;  /* of each, >= 2 */
+    int thetas; /* slices: theta_i, >= 2, and phi_i, >= 1 */
     int phis;
     int words;       /* where the nodes begin in the table */
     int guess_words; /* where the inverses begin */
@@ -236,8 +236,8 @@ static inline struct brdf_line_cell brdf_line_search(struct brdf_lines lines,
     struct brdf_line_search s;
     s.low = 0 * line.first;
     s.high = 0 * line.first + (cells - 1);
-    s.first = brdf_window_around(brdf_to_int(brdf_clamp(guess, 0.0f, (float)cells - 0.5f)),
-                                 lines.nodes);
+    s.first =
+        brdf_window_around(brdf_to_int(brdf_clamp(guess, 0.0f, (float)cells - 0.5f)), lines.nodes);
     int missed = 1;
     for (int step = 0; missed; ++step) {
         w = brdf_window_read(lines, slices, line, s.first, table);

@@ -60,8 +60,7 @@ static inline int brdf_measured_line(int words)
 static inline int brdf_lines_place(struct brdf_lines *lines, int count, int words)
 {
     lines->words = words;
-    lines->guess_words =
-        lines->words + brdf_measured_line(count * brdf_lines_apart(*lines) + 8);
+    lines->guess_words = lines->words + brdf_measured_line(count * brdf_lines_apart(*lines) + 8);
     return lines->guess_words + brdf_measured_line(count * brdf_guesses_apart(*lines));
 }
 

@@ -38,8 +38,8 @@ static inline brdf_real brdf_mix(brdf_real a, brdf_real b, brdf_real t)
 static inline struct brdf_quad brdf_quad_mix(struct brdf_quad p, struct brdf_quad q,
                                              struct brdf_quad t)
 {
-    return brdf_quad_make(brdf_mix(p.a, q.a, t.a), brdf_mix(p.b, q.b, t.b),
-                          brdf_mix(p.c, q.c, t.c), brdf_mix(p.d, q.d, t.d));
+    return brdf_quad_make(brdf_mix(p.a, q.a, t.a), brdf_mix(p.b, q.b, t.b), brdf_mix(p.c, q.c, t.c),
+                          brdf_mix(p.d, q.d, t.d));
 }
 
 #if BRDF_LANES == 1

@@ -51,9 +51,9 @@ static inline struct brdf_point brdf_map_sample(struct brdf_map map, struct brdf
 {
     x = brdf_clamp(x, 5.9604645e-8f, BRDF_ONE_MINUS_ULP);
     y = brdf_clamp(y, 5.9604645e-8f, BRDF_ONE_MINUS_ULP);
-    struct brdf_line_cell row =
-        brdf_line_search(map.marginal, slices, brdf_line_alone(0 * slices.first),
-                         brdf_line_guess(map.marginal, slices, 0 * slices.first, y, table), y, table);
+    struct brdf_line_cell row = brdf_line_search(
+        map.marginal, slices, brdf_line_alone(0 * slices.first),
+        brdf_line_guess(map.marginal, slices, 0 * slices.first, y, table), y, table);
     brdf_real ty = brdf_line_cell_sample(map.marginal, row, y);
     brdf_real density = brdf_mix(row.left, row.right, ty);
 

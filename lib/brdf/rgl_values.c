@@ -76,20 +76,11 @@ static void visible_normals_make(struct brdf_rgl_file *file, int view)
     }
 }
 
-/* The slice of a view alone: rounding must not take phi_i = -pi for pi. */
-static struct brdf_slices slices_of(const struct brdf_rgl_file *file, int view)
+/* The slice of a view by itself: rounding must not take phi_i = -pi for pi. */
+static struct brdf_slices slice_of(int view)
 {
-    struct brdf_slices slices;
-    int phi = view / file->theta_count;
-    int theta = view % file->theta_count;
-    int last_theta = theta == file->theta_count - 1;
-    int last_phi = phi > 0 && phi == file->phi_count - 1;
-    slices.first = (phi - last_phi) * file->theta_count + theta - last_theta;
-    slices.high = (float)last_theta;
-    slices.low = 1.0f - slices.high;
-    slices.phi_high = (float)last_phi;
-    slices.phi_low = 1.0f - slices.phi_high;
-    return slices;
+    struct brdf_slices slice = {.first = view, .alone = 1};
+    return slice;
 }
 
 /*
@@ -108,11 +99,11 @@ static brdf_status node_make(struct brdf_rgl_making *m, const float *table, int 
     brdf_vec3 wo = brdf_vec3_make((float)direction[0], (float)direction[1], (float)direction[2]);
     layout.symmetry = 1; /* the view itself, not what it would be mirrored to */
     struct brdf_measured_view seen = brdf_measured_view_of(layout, wo, table);
-    seen.slices = slices_of(file, view);
+    seen.slices = slice_of(view);
     struct brdf_point place = brdf_map_sample(
         layout.vndf, seen.slices, (float)(node % file->size) / (float)(file->size - 1),
         (float)(node / file->size) / (float)(file->size - 1), table);
-    brdf_vec3 axis = layout.isotropic ? seen.azimuth : brdf_vec3_make(1.0f, 0.0f, 0.0f);
+    brdf_vec3 axis = brdf_normalize(brdf_measured_axis(layout, seen));
     brdf_vec3 wi = brdf_normalize(brdf_reflect(wo, brdf_measured_normal(place, axis)));
     float factor = brdf_measured_factor(layout, seen, place.x, place.y, table);
     *valid = wi.z > 0.0f && factor > 0.0f;
