@@ -168,8 +168,10 @@ struct lab_finding lab_try_reciprocal(const struct brdf_bsdf *bsdf, size_t calls
     return finding;
 }
 
-/* A sample that carries a millionth of the light may be off by as much as it likes. */
+/* A sample that carries a millionth of the light may be off by as much as it likes, and a channel
+   of it that has a hundredth of its light, by a hundred times as much as the others. */
 #define LEAST_WEIGHT 1e-6f
+#define LEAST_CHANNEL 1e-2f
 
 static void try_sample(struct lab_finding *finding, const struct brdf_bsdf *bsdf, brdf_vec3 wo,
                        brdf_vec3 u, struct brdf_sample s)
@@ -183,7 +185,8 @@ static void try_sample(struct lab_finding *finding, const struct brdf_bsdf *bsdf
                  "relative: sampled with density %.9g, pdf says %.9g", (double)s.pdf, (double)pdf);
         lab_finding_note(finding, wo, s.wi, &u);
     }
-    if (of_pdf <= finding->limit && is_worse(finding, difference(weight, s.weight, LEAST_WEIGHT))) {
+    float least = brdf_max(LEAST_WEIGHT, LEAST_CHANNEL * brdf_rgb_largest(s.weight));
+    if (of_pdf <= finding->limit && is_worse(finding, difference(weight, s.weight, least))) {
         snprintf(finding->detail, sizeof finding->detail,
                  "relative: weight %.9g, f cos / pdf = %.9g", (double)s.weight.r, (double)weight.r);
         lab_finding_note(finding, wo, s.wi, &u);

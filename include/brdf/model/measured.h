@@ -94,13 +94,6 @@ static inline struct brdf_quad brdf_measured_color(struct brdf_measured_layout l
     return brdf_quad_transpose(color);
 }
 
-/* f cos(theta_i) [1/sr] of a colour. */
-static inline brdf_rgb brdf_measured_rgb(struct brdf_quad color, brdf_real factor)
-{
-    return brdf_rgb_make(brdf_max(color.a * factor, 0.0f), brdf_max(color.b * factor, 0.0f),
-                         brdf_max(color.c * factor, 0.0f));
-}
-
 /*
  * The solid angle of wi over the area of the square: d(wi) = 4 (wo . h) d(h), and
  * d(h) = 2 pi^2 x sin(theta) dx dy. At the mirror direction, where x and theta are 0, the density
@@ -111,16 +104,44 @@ static inline brdf_real brdf_measured_jacobian(struct brdf_measured_facet facet)
     return 19.7392088f * facet.x * brdf_max(facet.sine, 1.594e-5f) * (4.0f * facet.cosine);
 }
 
+/* What the file says of a pair of directions: f cos(theta_i) [1/sr] and the density [1/sr]. */
+struct brdf_measured_value {
+    brdf_rgb color;
+    brdf_real pdf;
+};
+
+/* `point` is where the warp has the facet, and the density of the warp at the facet. */
+static inline struct brdf_measured_value brdf_measured_value_of(struct brdf_measured_layout layout,
+                                                                struct brdf_measured_view view,
+                                                                struct brdf_measured_facet facet,
+                                                                struct brdf_point point,
+                                                                BRDF_GLOBAL const float *table)
+{
+    brdf_real factor = brdf_measured_factor(layout, view, facet.x, facet.y, table);
+    struct brdf_quad color = brdf_measured_color(layout, view.slices, point, table);
+    struct brdf_measured_value value;
+    value.color = brdf_rgb_make(brdf_max(color.a * factor, 0.0f), brdf_max(color.b * factor, 0.0f),
+                                brdf_max(color.c * factor, 0.0f));
+    value.pdf = point.pdf * color.d / brdf_measured_jacobian(facet);
+    return value;
+}
+
+static inline struct brdf_measured_value brdf_measured_look(struct brdf_measured_layout layout,
+                                                            struct brdf_measured_view view,
+                                                            brdf_vec3 wi,
+                                                            BRDF_GLOBAL const float *table)
+{
+    struct brdf_measured_facet facet = brdf_measured_facet_of(layout, view, wi);
+    struct brdf_point point = brdf_map_invert(layout.vndf, view.slices, facet.x, facet.y, table);
+    return brdf_measured_value_of(layout, view, facet, point, table);
+}
+
 static inline brdf_rgb brdf_measured_eval(struct brdf_measured p, brdf_vec3 wo, brdf_vec3 wi,
                                           BRDF_GLOBAL const float *table)
 {
     struct brdf_measured_layout layout = brdf_measured_layout_of(table);
     struct brdf_measured_view view = brdf_measured_view_of(layout, wo, table);
-    struct brdf_measured_facet facet = brdf_measured_facet_of(layout, view, wi);
-    struct brdf_point point = brdf_map_invert(layout.vndf, view.slices, facet.x, facet.y, table);
-    brdf_real factor = brdf_measured_factor(layout, view, facet.x, facet.y, table);
-    brdf_rgb color =
-        brdf_measured_rgb(brdf_measured_color(layout, view.slices, point, table), factor);
+    brdf_rgb color = brdf_measured_look(layout, view, wi, table).color;
     brdf_mask above = (wo.z > 0.0f) & (wi.z > 0.0f);
     return brdf_rgb_pick(above, brdf_rgb_scale(color, p.scale / brdf_max(wi.z, 1e-6f)),
                          brdf_gray(0.0f));
@@ -166,32 +187,44 @@ static inline struct brdf_slices brdf_measured_slice(struct brdf_measured_layout
     return slices;
 }
 
+/*
+ * Value and density are those of the way that led to wi. Where they hang on the last digits of wi
+ * (both directions at the horizon, the mirror direction, normals that are hardly seen), they are
+ * those of eval and pdf.
+ */
 static inline struct brdf_sample brdf_measured_sample(struct brdf_measured p, brdf_vec3 wo,
                                                       brdf_vec3 u, BRDF_GLOBAL const float *table)
 {
     struct brdf_measured_layout layout = brdf_measured_layout_of(table);
     struct brdf_measured_view view = brdf_measured_view_of(layout, wo, table);
     struct brdf_slices slice = brdf_measured_slice(layout, view.slices, u.z);
-    struct brdf_point bright = brdf_map_sample(layout.luminance, slice, u.y, u.x, table);
-    struct brdf_point place = brdf_map_sample(layout.vndf, view.slices, bright.x, bright.y, table);
-    brdf_vec3 axis = brdf_normalize(brdf_measured_axis(layout, view));
-    brdf_vec3 normal = brdf_measured_normal(place, axis);
+    struct brdf_point point = brdf_map_sample(layout.luminance, slice, u.y, u.x, table);
+    struct brdf_point place = brdf_map_sample(layout.vndf, view.slices, point.x, point.y, table);
+    point.pdf = place.pdf;
+    brdf_vec3 normal =
+        brdf_measured_normal(place, brdf_normalize(brdf_measured_axis(layout, view)));
     struct brdf_measured_facet facet;
     facet.x = brdf_max(place.x, 1e-6f);
     facet.y = place.y;
     facet.sine = sqrtf(normal.x * normal.x + normal.y * normal.y);
     facet.cosine = brdf_dot(view.wo, normal);
     brdf_vec3 wi = brdf_sub(brdf_scale(normal, 2.0f * facet.cosine), view.wo);
-
-    brdf_real factor = brdf_measured_factor(layout, view, facet.x, facet.y, table);
-    struct brdf_quad color = brdf_measured_color(layout, view.slices, bright, table);
-    brdf_real pdf = place.pdf * color.d / brdf_measured_jacobian(facet);
-    brdf_mask valid = (wo.z > 0.0f) & (wi.z > 0.0f) & (facet.cosine > 0.0f) & (pdf > 1e-9f);
     wi.x = wi.x * view.sx;
     wi.y = wi.y * view.sy;
-    brdf_rgb weight =
-        brdf_rgb_scale(brdf_measured_rgb(color, factor), p.scale / brdf_pick(valid, pdf, 1.0f));
-    return brdf_sample_where(valid, brdf_sample_make(wi, weight, pdf));
+
+    struct brdf_measured_value value = brdf_measured_value_of(layout, view, facet, point, table);
+    brdf_mask valid = (wo.z > 0.0f) & (wi.z > 0.0f);
+    brdf_mask doubtful = valid & ((facet.cosine < 0.02f) | (facet.sine < 1e-4f) |
+                                  (place.pdf < 1e-3f) | (value.pdf < 2e-4f));
+    if (brdf_any(doubtful)) {
+        struct brdf_measured_value back = brdf_measured_look(layout, view, wi, table);
+        value.color = brdf_rgb_pick(doubtful, back.color, value.color);
+        value.pdf = brdf_pick(doubtful, back.pdf, value.pdf);
+    }
+    valid = valid & (value.pdf > 1e-9f);
+    brdf_real scale = p.scale * brdf_min(1.0f, wi.z * 1e6f); /* as eval divides by the cosine */
+    brdf_rgb weight = brdf_rgb_scale(value.color, scale / brdf_pick(valid, value.pdf, 1.0f));
+    return brdf_sample_where(valid, brdf_sample_make(wi, weight, value.pdf));
 }
 
 #endif
