@@ -99,6 +99,12 @@ static void print_merl(const struct lab_merl_survey *m)
            m->noise_grazing);
 }
 
+static void print_pair(const char *name, double value, struct lab_pair at)
+{
+    printf("%-12s%.5g 1/sr, at wo %.1f, wi %.1f degrees from the normal, %.0f apart around it\n",
+           name, value, at.theta_o, at.theta_i, at.phi);
+}
+
 static void print_rgl(const struct lab_rgl_survey *r)
 {
     printf("format      RGL: %s, %s\n", r->phis <= 2 ? "isotropic" : "anisotropic",
@@ -107,7 +113,10 @@ static void print_rgl(const struct lab_rgl_survey *r)
            "%d %s\n",
            r->phis, r->thetas, r->theta_most, r->size, r->size, r->channels,
            r->spectral ? "wavelengths" : "channels");
-    printf("least f     %.5g 1/sr\nlargest f   %.5g 1/sr\n", r->least, r->most);
+    printf("valid       %.1f %% of the values, the others are below 0\n",
+           100.0 * (1.0 - r->negative));
+    print_pair("least f", r->least, r->least_at);
+    print_pair("largest f", r->most, r->most_at);
 }
 
 static void print_survey(const struct lab_survey *s, enum lab_format format)
@@ -186,6 +195,16 @@ static void put_merl(struct json *json, const struct lab_merl_survey *m)
     json_real(json, "noise_grazing", m->noise_grazing);
 }
 
+static void put_pair(struct json *json, const char *key, double value, struct lab_pair at)
+{
+    json_object(json, key);
+    json_real(json, "value", value);
+    json_real(json, "theta_o", at.theta_o);
+    json_real(json, "theta_i", at.theta_i);
+    json_real(json, "phi", at.phi);
+    json_object_end(json);
+}
+
 static void put_rgl(struct json *json, const struct lab_rgl_survey *r)
 {
     json_int(json, "azimuths", r->phis);
@@ -194,9 +213,9 @@ static void put_rgl(struct json *json, const struct lab_rgl_survey *r)
     json_int(json, "size", r->size);
     json_int(json, "channels", r->channels);
     json_int(json, "spectral", r->spectral);
-    json_real(json, "negative_fraction", r->negative);
-    json_real(json, "least", r->least);
-    json_real(json, "largest", r->most);
+    json_real(json, "valid_fraction", 1.0 - r->negative);
+    put_pair(json, "least", r->least, r->least_at);
+    put_pair(json, "largest", r->most, r->most_at);
 }
 
 static void put_survey(struct json *json, const struct lab_survey *s)

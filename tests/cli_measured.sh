@@ -122,10 +122,12 @@ says out '^difference  rms 0.00*[1-9]'
 expect 0 info metal.bsdf
 says out '^format      RGL: isotropic, RGB'
 says out '1 x 9 views .* each 32 x 32, 3 channels'
+says out '^valid       100.0 % of the values'
+says out '^largest f   [0-9.]* 1/sr, at wo [0-9.]*, wi [0-9.]* degrees from the normal'
 expect 0 info metal.bsdf --json -
 cp out info.json
 holds 'not valid JSON' valid_json info.json
-for key in format azimuths polar_angles size channels spectral least largest albedo; do
+for key in format valid_fraction theta_o theta_i azimuths polar_angles size channels spectral least largest albedo; do
     says info.json "\"$key\": "
 done
 expect 0 convert metal.bsdf back.binary
@@ -203,6 +205,10 @@ expect 0 edit edited.bsdf again.bsdf
 says out '^again.bsdf: edited.bsdf, unchanged'
 same edited.bsdf again.bsdf 'an edit of nothing changes bits'
 rm edited.bsdf
+last='a narrow lobe over a matte base as RGL'
+expect 0 convert roughplastic:alpha=0.05 o.bsdf
+holds 'its albedo is off by more than 0.04' awk '/^difference/ { exit !($NF < 0.04) }' out
+rm o.bsdf
 last='edit in place'
 cp matte.binary place.binary
 made="$made place.binary"

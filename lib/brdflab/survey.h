@@ -53,13 +53,19 @@ struct lab_merl_survey {
 
 void lab_survey_merl(const struct brdf_merl_file *file, struct lab_merl_survey *survey);
 
+/* A pair of directions as degrees from the normal, and the azimuth between them [degrees]. */
+struct lab_pair {
+    double theta_o, theta_i, phi;
+};
+
 /* What an RGL file says of itself. */
 struct lab_rgl_survey {
     int phis, thetas, size; /* azimuths and polar angles of wo; nodes along a view's square */
     int channels, spectral; /* 3, or how many wavelengths; whether they are wavelengths */
     double theta_most;      /* the last polar angle [degrees] */
     double negative;        /* the share of values below 0 */
-    double least, most;     /* of f, RGB [1/sr], at directions drawn from each view */
+    double least, most;     /* of f, RGB [1/sr], at directions drawn from each view ... */
+    struct lab_pair least_at, most_at; /* ... and where that is */
 };
 
 /* `bsdf` is the model measured, of the same file. */

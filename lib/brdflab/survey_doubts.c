@@ -78,6 +78,20 @@ static int peak_at_grazing(const struct lab_findings *findings, char *text, size
     return 1;
 }
 
+static int peak_of_horizon(const struct lab_findings *findings, char *text, size_t size)
+{
+    const struct lab_rgl_survey *r = findings->rgl;
+    if (!r || r->most_at.theta_i < 88.0) {
+        return 0;
+    }
+    snprintf(
+        text, size,
+        "the largest value, %.4g 1/sr, is at the horizon (wi at %.2f degrees), where the file's "
+        "f cos is divided by next to nothing",
+        r->most, r->most_at.theta_i);
+    return 1;
+}
+
 static int noisy(const struct lab_findings *findings, char *text, size_t size)
 {
     const struct lab_merl_survey *m = findings->merl;
@@ -118,8 +132,8 @@ const char *lab_survey_doubt(const struct lab_findings *findings, int number, ch
                              size_t size)
 {
     static doubt *const doubts[] = {
-        energy_above_one, not_reciprocal, not_measured, unlike_halves,          black_bins,
-        peak_at_grazing,  noisy,          out_of_gamut, not_measured_at_grazing};
+        energy_above_one, not_reciprocal,  not_measured, unlike_halves, black_bins,
+        peak_at_grazing,  peak_of_horizon, noisy,        out_of_gamut,  not_measured_at_grazing};
     for (size_t i = 0; i < sizeof doubts / sizeof doubts[0]; ++i) {
         if (doubts[i](findings, text, size) && number-- == 0) {
             return text;

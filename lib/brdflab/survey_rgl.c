@@ -10,6 +10,16 @@ static const double pi = 3.14159265358979323846;
 
 enum { POINTS = 1024 }; /* of each view */
 
+static struct lab_pair pair_of(brdf_vec3 wo, brdf_vec3 wi)
+{
+    struct lab_pair pair;
+    double phi = atan2((double)wi.y, (double)wi.x) - atan2((double)wo.y, (double)wo.x);
+    pair.theta_o = acos(fmin((double)wo.z, 1.0)) * 180.0 / pi;
+    pair.theta_i = acos(fmin((double)wi.z, 1.0)) * 180.0 / pi;
+    pair.phi = fabs(phi - 2.0 * pi * floor(phi / (2.0 * pi) + 0.5)) * 180.0 / pi;
+    return pair;
+}
+
 /* Draws from a view follow its own grid: they are where the file has its nodes. */
 static void view_add(const struct brdf_bsdf *bsdf, brdf_vec3 wo, struct lab_rgl_survey *survey)
 {
@@ -21,8 +31,14 @@ static void view_add(const struct brdf_bsdf *bsdf, brdf_vec3 wo, struct lab_rgl_
             brdf_rgb f = brdf_eval(bsdf, wo, sample.wi);
             double least = fmin((double)f.r, fmin((double)f.g, (double)f.b));
             double most = fmax((double)f.r, fmax((double)f.g, (double)f.b));
-            survey->least = fmin(survey->least, least);
-            survey->most = fmax(survey->most, most);
+            if (least < survey->least) {
+                survey->least = least;
+                survey->least_at = pair_of(wo, sample.wi);
+            }
+            if (most > survey->most) {
+                survey->most = most;
+                survey->most_at = pair_of(wo, sample.wi);
+            }
         }
     }
 }

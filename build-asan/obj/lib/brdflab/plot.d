@@ -1,0 +1,22 @@
+/tmp/w3_cli/build-asan/obj/lib/brdflab/plot.o: lib/brdflab/plot.c \
+ lib/brdflab/plot.h include/brdf/material.h include/brdf/sample.h \
+ include/brdf/vec.h include/brdf/dialect.h include/brdf/status.h \
+ lib/brdflab/section.h lib/brdflab/plot_file.h include/brdf/status.h \
+ lib/brdfcl/atomic_file.h lib/brdflab/plot_layout.h \
+ lib/brdflab/plot_panels.h lib/brdflab/plot_canvas.h lib/brdflab/curve.h \
+ lib/brdflab/plot_scale.h
+lib/brdflab/plot.h:
+include/brdf/material.h:
+include/brdf/sample.h:
+include/brdf/vec.h:
+include/brdf/dialect.h:
+include/brdf/status.h:
+lib/brdflab/section.h:
+lib/brdflab/plot_file.h:
+include/brdf/status.h:
+lib/brdfcl/atomic_file.h:
+lib/brdflab/plot_layout.h:
+lib/brdflab/plot_panels.h:
+lib/brdflab/plot_canvas.h:
+lib/brdflab/curve.h:
+lib/brdflab/plot_scale.h:

@@ -1,0 +1,19 @@
+/tmp/w3_cli/build-asan/obj/lib/brdflab/plot_job.o: lib/brdflab/plot_job.c \
+ lib/brdflab/albedo.h include/brdf/material.h include/brdf/sample.h \
+ include/brdf/vec.h include/brdf/dialect.h include/brdf/status.h \
+ lib/brdflab/plot_panels.h lib/brdflab/plot.h lib/brdflab/section.h \
+ lib/brdflab/plot_canvas.h lib/brdflab/curve.h include/brdf/status.h \
+ lib/brdflab/plot_scale.h
+lib/brdflab/albedo.h:
+include/brdf/material.h:
+include/brdf/sample.h:
+include/brdf/vec.h:
+include/brdf/dialect.h:
+include/brdf/status.h:
+lib/brdflab/plot_panels.h:
+lib/brdflab/plot.h:
+lib/brdflab/section.h:
+lib/brdflab/plot_canvas.h:
+lib/brdflab/curve.h:
+include/brdf/status.h:
+lib/brdflab/plot_scale.h:

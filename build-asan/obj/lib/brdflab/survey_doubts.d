@@ -1,0 +1,12 @@
+/tmp/w3_cli/build-asan/obj/lib/brdflab/survey_doubts.o: \
+ lib/brdflab/survey_doubts.c lib/brdflab/survey.h include/brdf/material.h \
+ include/brdf/sample.h include/brdf/vec.h include/brdf/dialect.h \
+ include/brdf/status.h include/brdf/merl.h include/brdf/rgl.h
+lib/brdflab/survey.h:
+include/brdf/material.h:
+include/brdf/sample.h:
+include/brdf/vec.h:
+include/brdf/dialect.h:
+include/brdf/status.h:
+include/brdf/merl.h:
+include/brdf/rgl.h:
