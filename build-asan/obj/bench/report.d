@@ -1,9 +1,0 @@
-/tmp/w3_cli/build-asan/obj/bench/report.o: bench/report.c bench/bench.h \
- include/brdfcl/device.h include/brdf/status.h include/brdfcl/api.h \
- cli/json.h cli/options.h
-bench/bench.h:
-include/brdfcl/device.h:
-include/brdf/status.h:
-include/brdfcl/api.h:
-cli/json.h:
-cli/options.h:

@@ -1,6 +1,0 @@
-/tmp/w3_cli/build-asan/obj/lib/brdflab/sphere_integrate.o: \
- lib/brdflab/sphere_integrate.c lib/brdflab/sphere.h include/brdf/vec.h \
- include/brdf/dialect.h
-lib/brdflab/sphere.h:
-include/brdf/vec.h:
-include/brdf/dialect.h:
