@@ -43,6 +43,10 @@ brdf_status brdf_settings_apply(struct brdf_bsdf *bsdf, const struct brdf_model_
                                 const struct brdf_setting *settings, size_t count,
                                 const struct brdf_origin *origin, struct brdf_error *error);
 
+/* Whether light passes, as the model and the parameters say, into the material's flags. settings.c
+ */
+int brdf_material_see_through(struct brdf_material *material, const struct brdf_model_info *model);
+
 /* Which of the model's files a parameter of kind FILE names, from 0. tables.c */
 int brdf_file_number(const struct brdf_model_info *model,
                      const struct brdf_parameter_info *parameter);

@@ -20,6 +20,15 @@ static const struct brdf_parameter_info *clarity_of(const struct brdf_draft *d)
     return brdf_parameter_find(d->model, "spec_trans");
 }
 
+int brdf_material_see_through(struct brdf_material *material, const struct brdf_model_info *model)
+{
+    const struct brdf_parameter_info *clarity = brdf_parameter_find(model, "spec_trans");
+    int clear = !clarity || material->word[brdf_parameter_place(model, clarity)] > 0.0f;
+    material->flags &= ~BRDF_TRANSMISSION;
+    material->flags |= clear ? model->flags & BRDF_TRANSMISSION : 0u;
+    return clear;
+}
+
 /* The one setting that every model has. */
 static brdf_status set_twosided(struct brdf_draft *d)
 {
@@ -111,9 +120,7 @@ static brdf_status complete_clarity(const struct brdf_draft *d)
     if (!clarity) {
         return BRDF_OK;
     }
-    int clear = m->word[brdf_parameter_place(d->model, clarity)] > 0.0f;
-    m->flags &= clear ? ~0u : ~BRDF_TRANSMISSION;
-    if (clear && m->flags & BRDF_TWOSIDED) {
+    if (brdf_material_see_through(m, d->model) && m->flags & BRDF_TWOSIDED) {
         return brdf_draft_refuse(d, BRDF_BAD_ARGUMENT,
                                  "%s with %s above 0 has a side below of its own: leave out"
                                  " twosided",

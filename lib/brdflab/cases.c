@@ -119,6 +119,7 @@ static brdf_status add_random(struct lab_cases *cases, int variant, struct brdfc
     struct brdf_material *material = &one->bsdf.material;
     brdfcl_check_material_vary(material, cases->model, variant);
     brdfcl_check_material_change(material, cases->model, random);
+    brdf_material_see_through(material, cases->model);
     one->bsdf.parameters = brdf_parameters_load(material->model, material->choices, material->word);
     brdfcl_check_material_describe(material, cases->model, one->text, sizeof one->text);
     if (!(cases->model->flags & BRDF_COMPUTED)) {
