@@ -55,9 +55,9 @@ static double density(brdf_vec3 w, void *data)
     return (double)brdf_pdf(view->bsdf, view->wo, w);
 }
 
-/* Cells from a pilot of so many samples. */
+/* Cells from a pilot of so many samples; so many others watch for peaks, none if that is 0. */
 static brdf_status view_open(struct view *view, const struct brdf_bsdf *bsdf, int number,
-                             int pilots, struct brdf_error *error)
+                             int pilots, size_t watch, struct brdf_error *error)
 {
     view->bsdf = bsdf;
     view->number = number;
@@ -65,6 +65,9 @@ static brdf_status view_open(struct view *view, const struct brdf_bsdf *bsdf, in
     view->mass.value = view->mass.error = 0.0;
     unsigned long long seed = ((unsigned long long)pilots << 20) + (unsigned long long)number;
     brdf_status status = lab_pilot_fly(bsdf, view->wo, pilots, seed, &view->sphere, error);
+    if (!status && view->sphere && watch) {
+        status = lab_pilot_watch(bsdf, view->wo, watch, ~seed, view->sphere, error);
+    }
     if (!status && view->sphere) {
         view->mass = lab_sphere_integrate(view->sphere, density, view, 1e-3, UNRESOLVED);
     }
@@ -161,9 +164,10 @@ static int is_doubtful(const struct lab_density *result)
 }
 
 /*
- * The same over cells from MORE times as many pilots. Of a ridge hundreds of times thinner than
- * long, a cell may hold a tip that falls between the places where pdf is asked for; then other
- * cells have other answers. A wrong sampler or a wrong pdf does not depend on cells.
+ * The same over cells from MORE times as many pilots, with as many watching for peaks as samples
+ * are counted. Of a ridge hundreds of times thinner than long, a cell may hold a tip that falls
+ * between the places where pdf is asked for; then other cells have other answers. A wrong sampler
+ * or a wrong pdf does not depend on cells.
  */
 static brdf_status second_opinion(const struct view *view, size_t samples, unsigned long long seed,
                                   struct lab_density *result, struct brdf_error *error)
@@ -171,7 +175,7 @@ static brdf_status second_opinion(const struct view *view, size_t samples, unsig
     static const char reason[] = "depends on the cells: too narrow to be resolved";
     struct view other;
     double departure = result->departure;
-    brdf_status status = view_open(&other, view->bsdf, view->number, MORE * PILOT, error);
+    brdf_status status = view_open(&other, view->bsdf, view->number, MORE * PILOT, samples, error);
     if (!status && other.sphere) {
         status = find_both(&other, samples, seed, result, error);
     }
@@ -193,7 +197,7 @@ brdf_status lab_try_density(const struct brdf_bsdf *bsdf, int number, size_t sam
     result->mass = lab_finding_make(LAB_TEST_MASS, lab_view_angle[number], 2e-3);
     result->chi2 = lab_finding_make(LAB_TEST_CHI2, lab_view_angle[number], limit);
     result->chi2.at_least = 1;
-    brdf_status status = view_open(&view, bsdf, number, PILOT, error);
+    brdf_status status = view_open(&view, bsdf, number, PILOT, 0, error);
     if (!status && !view.sphere) {
         lab_finding_set(&result->mass, LAB_NONE, "no samples but deltas");
         lab_finding_set(&result->chi2, LAB_NONE, "no samples but deltas");

@@ -22,11 +22,10 @@ struct lab_energy {
  */
 struct lab_energy lab_energy_sampled(const struct brdf_bsdf *bsdf, brdf_vec3 wo, size_t samples);
 
-/* The integral of f |cos| in cells that follow the samples, to *sum; another seed, other cells.
-   BRDF_OUT_OF_MEMORY. */
-brdf_status lab_energy_integrated(const struct brdf_bsdf *bsdf, brdf_vec3 wo,
-                                  unsigned long long seed, struct lab_sphere_sum *sum,
-                                  struct brdf_error *error);
+/* The integral of f |cos| to *sum, in cells that follow the samples; from `finer` times as many
+   samples where that is above 1. BRDF_OUT_OF_MEMORY. */
+brdf_status lab_energy_integrated(const struct brdf_bsdf *bsdf, brdf_vec3 wo, int finer,
+                                  struct lab_sphere_sum *sum, struct brdf_error *error);
 
 /*
  * Light by sampling against light by quadrature: measured is their difference. LAB_NONE where there

@@ -11,7 +11,7 @@
 
 /* z chooses among lobes. One that a thousandth of the samples, or fewer, come from needs its cells
    too: usually it is the first or the last. */
-static float choice_of(int i, float z)
+static float choice_of(size_t i, float z)
 {
     switch (i % 16) {
     case 0:
@@ -30,25 +30,49 @@ brdf_vec3 lab_random_cube(struct brdfcl_random *random)
     return brdf_vec3_make(x, y, brdfcl_random_uniform(random));
 }
 
-brdf_status lab_pilot_fly(const struct brdf_bsdf *bsdf, brdf_vec3 wo, int samples,
-                          unsigned long long seed, struct lab_sphere **sphere,
-                          struct brdf_error *error)
+/* Draw so many; *count of them, no deltas, are in the array that is the caller's. NULL out of
+   memory. */
+static brdf_vec3 *draw(const struct brdf_bsdf *bsdf, brdf_vec3 wo, size_t samples,
+                       unsigned long long seed, size_t *count)
 {
     struct brdfcl_random random = {seed};
-    brdf_vec3 *pilot = calloc((size_t)samples, sizeof *pilot);
-    size_t count = 0;
-    for (int i = 0; i < samples && pilot; ++i) {
+    brdf_vec3 *pilot = calloc(samples + 1, sizeof *pilot);
+    *count = 0;
+    for (size_t i = 0; i < samples && pilot; ++i) {
         brdf_vec3 u = lab_random_cube(&random);
         u.z = choice_of(i, u.z);
         struct brdf_sample s = brdf_sample(bsdf, wo, u);
         if (s.pdf > 0.0f && !s.delta) {
-            pilot[count++] = s.wi;
+            pilot[(*count)++] = s.wi;
         }
     }
+    return pilot;
+}
+
+static brdf_status fail(struct brdf_error *error)
+{
+    return brdf_fail(error, BRDF_OUT_OF_MEMORY, "out of memory for the cells of a test");
+}
+
+brdf_status lab_pilot_fly(const struct brdf_bsdf *bsdf, brdf_vec3 wo, int samples,
+                          unsigned long long seed, struct lab_sphere **sphere,
+                          struct brdf_error *error)
+{
+    size_t count;
+    brdf_vec3 *pilot = draw(bsdf, wo, (size_t)samples, seed, &count);
     *sphere = count ? lab_sphere_create(pilot, count) : NULL;
+    int done = pilot && (!count || *sphere);
     free(pilot);
-    if (!pilot || (count && !*sphere)) {
-        return brdf_fail(error, BRDF_OUT_OF_MEMORY, "out of memory for the cells of a test");
-    }
-    return BRDF_OK;
+    return done ? BRDF_OK : fail(error);
+}
+
+brdf_status lab_pilot_watch(const struct brdf_bsdf *bsdf, brdf_vec3 wo, size_t samples,
+                            unsigned long long seed, struct lab_sphere *sphere,
+                            struct brdf_error *error)
+{
+    size_t count;
+    brdf_vec3 *watch = draw(bsdf, wo, samples, seed, &count);
+    int done = watch && lab_sphere_watch(sphere, watch, count);
+    free(watch);
+    return done ? BRDF_OK : fail(error);
 }

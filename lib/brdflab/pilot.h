@@ -21,4 +21,9 @@ brdf_status lab_pilot_fly(const struct brdf_bsdf *bsdf, brdf_vec3 wo, int sample
                           unsigned long long seed, struct lab_sphere **sphere,
                           struct brdf_error *error);
 
+/* Let so many other samples watch for peaks (sphere.h). BRDF_OUT_OF_MEMORY. */
+brdf_status lab_pilot_watch(const struct brdf_bsdf *bsdf, brdf_vec3 wo, size_t samples,
+                            unsigned long long seed, struct lab_sphere *sphere,
+                            struct brdf_error *error);
+
 #endif

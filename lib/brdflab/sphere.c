@@ -23,6 +23,7 @@ static struct lab_sphere_point point_of(brdf_vec3 w)
     double z = (double)w.z;
     struct lab_sphere_point p;
     p.value = 0.0;
+    p.cell = 0;
     double q = (x * x + y * y) / (2.0 * (1.0 + fabs(z)));
     q = fmin(q, z == 0.0 ? 0.5 : 0.5 - 1e-12); /* the side is that of z, to the last bit */
     p.at[0] = z < 0.0 ? 1.0 - q : q;
@@ -194,9 +195,8 @@ void lab_sphere_destroy(struct lab_sphere *sphere)
     }
 }
 
-size_t lab_sphere_find(const struct lab_sphere *sphere, brdf_vec3 w)
+static size_t cell_of(const struct lab_sphere *sphere, struct lab_sphere_point p)
 {
-    struct lab_sphere_point p = point_of(w);
     size_t index = root_of(p);
     while (sphere->nodes[index].child >= 0) {
         const struct lab_sphere_node *lower = &sphere->nodes[sphere->nodes[index].child];
@@ -204,4 +204,42 @@ size_t lab_sphere_find(const struct lab_sphere *sphere, brdf_vec3 w)
         index = (size_t)sphere->nodes[index].child + (p.at[axis] >= lower->high[axis]);
     }
     return index;
+}
+
+size_t lab_sphere_find(const struct lab_sphere *sphere, brdf_vec3 w)
+{
+    return cell_of(sphere, point_of(w));
+}
+
+static int by_cell(const void *a, const void *b)
+{
+    const struct lab_sphere_point *left = a;
+    const struct lab_sphere_point *right = b;
+    return (left->cell > right->cell) - (left->cell < right->cell);
+}
+
+int lab_sphere_watch(struct lab_sphere *sphere, const brdf_vec3 *watch, size_t count)
+{
+    struct lab_sphere_point *points = calloc(count + 1, sizeof *points);
+    if (!points) {
+        return 0;
+    }
+    for (size_t i = 0; i < count; ++i) {
+        points[i] = point_of(watch[i]);
+        points[i].cell = cell_of(sphere, points[i]);
+    }
+    qsort(points, count, sizeof *points, by_cell);
+    size_t first = 0;
+    for (size_t k = 0; k < sphere->count; ++k) {
+        struct lab_sphere_node *node = &sphere->nodes[k];
+        node->first = first;
+        while (first < count && points[first].cell == k) {
+            ++first;
+        }
+        node->pilots = first - node->first;
+    }
+    free(sphere->points);
+    sphere->points = points;
+    sphere->pilots = count;
+    return 1;
 }

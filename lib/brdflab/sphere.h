@@ -25,13 +25,14 @@ struct lab_sphere_node {
 struct lab_sphere_point {
     double at[2]; /* q, t */
     double value; /* of what lab_sphere_integrate integrates */
+    size_t cell;  /* that holds it, for lab_sphere_watch */
 };
 
 struct lab_sphere {
     struct lab_sphere_node *nodes; /* the first 512 are the roots */
     size_t count;
     size_t capacity;
-    struct lab_sphere_point *points; /* the pilot directions, in the order of the cells */
+    struct lab_sphere_point *points; /* the pilot directions, those of a cell together */
     size_t pilots;
 };
 
@@ -40,6 +41,12 @@ typedef double lab_sphere_function(brdf_vec3 w, void *data);
 /* Cut for `count` pilot directions; NULL out of memory. */
 struct lab_sphere *lab_sphere_create(const brdf_vec3 *pilot, size_t count);
 void lab_sphere_destroy(struct lab_sphere *sphere);
+
+/*
+ * Other directions in the place of the pilots, to find peaks by; the cells stay. 0 out of memory,
+ * with the pilots as they were.
+ */
+int lab_sphere_watch(struct lab_sphere *sphere, const brdf_vec3 *watch, size_t count);
 
 /* The number of the cell that holds w: an index of `nodes`. */
 size_t lab_sphere_find(const struct lab_sphere *sphere, brdf_vec3 w);
