@@ -153,6 +153,10 @@ bench: cli ## scalar C against OpenCL at every lane count
 bench-peers: cli ## the same scenes in Mitsuba 3, installed under build/, in turns with ours
 	BRDFCL=$(command) BUILD=$(BUILD) bench/peers.sh
 
+.PHONY: bench-measured
+bench-measured: cli lib ## evaluate and sample a measured file in Mitsuba 3 and in ours, in turns
+	BRDFCL=$(command) BUILD=$(BUILD) SCRIPT=peers_material.py bench/peers.sh
+
 .PHONY: gallery
 gallery: cli ## render the figures of scenes/gallery into build/gallery
 	@BRDFCL=$(abspath $(command)) tools/make_gallery.sh $(BUILD)/gallery

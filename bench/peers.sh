@@ -2,6 +2,7 @@
 # peers.sh - the same scenes in Mitsuba 3 and in brdfcl, in turns, with their pictures compared.
 #
 #   bench/peers.sh [--rounds N] [--spp N] [--json FILE] [SCENE.xml]...      (default: scenes/cornell.xml)
+#   SCRIPT=peers_material.py bench/peers.sh [--rounds N] [--count N] [FILE]  a measured file
 #   SCRIPT=compare.py bench/peers.sh [--pairs N] [--worst] [ROW]...         models, value by value
 #
 # Mitsuba comes from PyPI into a virtual environment under $BUILD/peers; nothing else of Python is
