@@ -4,6 +4,7 @@
 #ifndef PT_INTERACTION_H
 #define PT_INTERACTION_H
 
+#include "brdf/frame.h"
 #include "brdf/math.h"
 #include "intersect.h"
 #include "path.h"

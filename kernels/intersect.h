@@ -8,6 +8,7 @@
 #ifndef PT_INTERSECT_H
 #define PT_INTERSECT_H
 
+#include "brdf/vec.h"
 #include "scene.h"
 
 #define PT_MISS_T 3.0e38f /* the hit distance of a ray that meets nothing */

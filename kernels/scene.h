@@ -8,7 +8,8 @@
 #ifndef PT_SCENE_H
 #define PT_SCENE_H
 
-#include "brdf/model.h"
+#include "brdf/dialect.h"
+#include "brdf/stored.h"
 
 #define PT_ROW 16 /* words in a record */
 

@@ -7,6 +7,7 @@
 #ifndef PT_TEXTURE_H
 #define PT_TEXTURE_H
 
+#include "brdf/model.h"
 #include "interaction.h"
 #include "texture_bitmap.h"
 #include "woodgrain.h"

@@ -1,9 +1,9 @@
 /*
  * model.h - any model by its tag: what the list of models generates.
  *
- * A material is 128 bytes of 4-byte scalars, the same on host, device and in a file. Its parameters
- * unpack into the model's own struct, whose members are its choices (int) and then its values
- * (brdf_real, one or three each) in the order of the list; that order is the whole format.
+ * The parameters of a material (stored.h) unpack into the model's own struct, whose members are its
+ * choices (int) and then its values (brdf_real, one or three each) in the order of the list; that
+ * order is the whole format.
  *
  * Where the tag and the choices are constants, the switches below fold away and what is left is a
  * direct call of the model: kernels are specialised that way. What choices.h knows of the choices
@@ -16,6 +16,7 @@
 #include "frame.h"
 #include "parameters.h"
 #include "sample.h"
+#include "stored.h"
 
 /* First reading of the list: the models themselves, and their tags in the order of the list. */
 #include "models.h"
@@ -34,18 +35,6 @@ enum brdf_model_size {
     BRDF_##NAME##_WORDS = 0 BRDF_##NAME##_PARAMETERS(BRDF_PLUS_WORDS),
 #include "models.h"
 #undef BRDF_MODEL
-    BRDF_MATERIAL_WORDS = 28
-};
-
-/* Material flags; the low 16 bits are the model's own (parameters.h). */
-#define BRDF_TWOSIDED 0x10000u /* the side below the surface looks like the side above */
-
-struct brdf_material {
-    unsigned model;                  /* enum brdf_model_tag */
-    unsigned flags;                  /* BRDF_REFLECTION ..., BRDF_TWOSIDED */
-    unsigned choices;                /* 4 bits a choice, the first lowest */
-    unsigned table;                  /* first word of its table, if tabulated */
-    float word[BRDF_MATERIAL_WORDS]; /* values in the order of the list */
 };
 
 union brdf_parameters {

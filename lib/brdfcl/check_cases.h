@@ -10,7 +10,7 @@
 
 #include <brdf/info.h>
 #include <brdf/material.h>
-#include <brdf/model.h>
+#include <brdf/stored.h>
 
 #include "check_random.h"
 

@@ -6,7 +6,7 @@
 
 #include <stddef.h>
 
-#include <brdf/model.h>
+#include <brdf/stored.h>
 #include <brdf/status.h>
 
 struct brdfcl_device;

@@ -7,7 +7,6 @@
 #define CL_TARGET_OPENCL_VERSION 120
 #include <CL/cl.h>
 
-#include <brdf/model.h>
 #include <brdfcl/device.h>
 
 struct brdfcl_device {
@@ -31,13 +30,15 @@ const char *opencl_status_name(cl_int status);
  */
 brdf_status opencl_check(cl_int status, const char *call, struct brdf_error *error);
 
+enum { OPENCL_MODELS = 64 }; /* more than there are */
+
 /* The materials that a program is for; begin with {0} and add each. */
 struct opencl_materials {
     struct {
         int used;
         unsigned known;  /* 4 bits of each choice that is the same in all materials of this model */
         unsigned chosen; /* those choices, as in struct brdf_material */
-    } model[BRDF_MODEL_COUNT];
+    } model[OPENCL_MODELS];
 };
 void opencl_materials_add(struct opencl_materials *materials, unsigned model, unsigned choices);
 

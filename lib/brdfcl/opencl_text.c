@@ -12,6 +12,8 @@
 #include <brdf/model.h>
 #include <brdf/source.h>
 
+typedef char opencl_models_fit[(int)BRDF_MODEL_COUNT <= (int)OPENCL_MODELS ? 1 : -1];
+
 static const struct {
     const char *tag;
     const char *upper;   /* its name in constants, "DIFFUSE" */
