@@ -112,6 +112,11 @@ test: ## run every test; installs missing Debian packages first
 	@tools/setup.sh
 	@$(again) run-tests
 
+.PHONY: check-full
+check-full: ## the tests of the models at full size: a million samples, every variant at all lanes; long
+	@tools/setup.sh
+	@$(again) run-full
+
 .PHONY: setup
 setup: ## only install the Debian packages that are missing
 	@tools/setup.sh
@@ -178,6 +183,11 @@ run-demo: cli
 run-tests: all $(test_programs) $(example_programs)
 	@BUILD=$(BUILD) CC="$(CC)" SANITIZE="$(SANITIZE)" MAKE="$(MAKE)" JOBS="$(JOBS)" \
 	    tools/run_tests.sh $(test_scripts) $(test_programs) $(example_programs)
+
+# Each program may take hours here.
+.PHONY: run-full
+run-full: $(filter $(BUILD)/tests/test_models_%,$(test_programs))
+	@BUILD=$(BUILD) JOBS="$(JOBS)" LIMIT=36000 BRDFCL_TEST_LONG=1 tools/run_tests.sh $^
 
 # --- Building ----------------------------------------------------------------------------------
 

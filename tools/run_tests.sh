@@ -1,7 +1,7 @@
 #!/bin/sh
 # run_tests.sh - run test programs, examples and test scripts, and count.
 #
-#   [JOBS=N] tools/run_tests.sh PROGRAM...      N at a time
+#   [JOBS=N] [LIMIT=SECONDS] tools/run_tests.sh PROGRAM...      N at a time, each at most so long
 #
 # A cmocka program counts as many times as it has tests; any other program or script counts once:
 # exit status 0 passed, 77 skipped, anything else failed. What each one said is kept in
@@ -14,7 +14,9 @@ BUILD=${BUILD:-build}
 BRDFCL=$(pwd)/$BUILD/brdfcl
 case "$BUILD" in /*) BRDFCL=$BUILD/brdfcl ;; esac
 logs=$BUILD/tests
-limit=240 # seconds for one program
+limit=${LIMIT:-240} # seconds for one program
+# The longest first, so that none of them is left to run alone at the end.
+long='test_models_sampling cli add_model test_models_opencl test_render_bits test_models_energy'
 
 # Sanitizers: what the OpenCL runtime and its compiler leave behind at exit is not ours.
 UBSAN_OPTIONS=${UBSAN_OPTIONS:-print_stacktrace=1}
@@ -76,10 +78,17 @@ if [ "$1" = --one ]; then
     exit 0
 fi
 
+longest_first() {
+    for name in $long; do
+        printf '%s\n' "$@" | grep -E "(^|/)$name(\.sh)?\$" || true
+    done
+    printf '%s\n' "$@" | grep -v -E "(^|/)($(echo "$long" | tr ' ' '|'))(\.sh)?\$" || true
+}
+
 mkdir -p "$logs"
 rm -f "$logs"/*.counts
 # As many at a time as there are processors: compiling kernels, for one, keeps only one busy.
-printf '%s\n' "$@" | xargs -n 1 -P "${JOBS:-1}" "$0" --one
+longest_first "$@" | xargs -n 1 -P "${JOBS:-1}" "$0" --one
 
 cat "$logs"/*.counts | awk -v programs=$# '
     { passed += $1; failed += $2; skipped += $3 }
