@@ -189,8 +189,8 @@ static inline struct brdf_slices brdf_measured_slice(struct brdf_measured_layout
 
 /*
  * Value and density are those of the way that led to wi. Where they hang on the last digits of wi
- * (both directions at the horizon, the mirror direction, normals that are hardly seen), they are
- * those of eval and pdf.
+ * (both directions at the horizon, the mirror direction, normals that are hardly seen, the azimuth
+ * where the square ends), they are those of eval and pdf.
  */
 static inline struct brdf_sample brdf_measured_sample(struct brdf_measured p, brdf_vec3 wo,
                                                       brdf_vec3 u, BRDF_GLOBAL const float *table)
@@ -214,8 +214,9 @@ static inline struct brdf_sample brdf_measured_sample(struct brdf_measured p, br
 
     struct brdf_measured_value value = brdf_measured_value_of(layout, view, facet, point, table);
     brdf_mask valid = (wo.z > 0.0f) & (wi.z > 0.0f);
-    brdf_mask doubtful = valid & ((facet.cosine < 0.02f) | (facet.sine < 1e-4f) |
-                                  (place.pdf < 1e-3f) | (value.pdf < 2e-4f));
+    brdf_mask doubtful = (facet.cosine < 0.02f) | (facet.sine < 1e-4f) | (place.pdf < 1e-3f) |
+                         (value.pdf < 2e-4f) | (fabsf(place.y - 0.5f) > 0.499999f);
+    doubtful = doubtful & valid;
     if (brdf_any(doubtful)) {
         struct brdf_measured_value back = brdf_measured_look(layout, view, wi, table);
         value.color = brdf_rgb_pick(doubtful, back.color, value.color);
