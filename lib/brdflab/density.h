@@ -4,8 +4,8 @@
  * The sphere is cut into cells that follow a pilot of the samples themselves (sphere.h), so that
  * narrow lobes are resolved as well as wide ones; pdf is integrated over each cell by adaptive
  * quadrature, and Pearson's test compares with other samples. Where the quadrature does not
- * converge (lobes a few arc seconds wide), or depends on the cells (ridges hundreds of times
- * longer than wide), nothing can be told, and the verdict says so.
+ * converge, or depends on the cells (some ridges tens of thousands of times longer than wide),
+ * nothing can be told, and the verdict says so.
  */
 #ifndef BRDFLAB_DENSITY_H
 #define BRDFLAB_DENSITY_H
