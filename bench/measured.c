@@ -61,22 +61,31 @@ static const struct format {
     {"measured", write_rgl},
 };
 
-/* A material of the model, with one file for all those that it may have. */
-static brdf_status create_measured(const struct brdf_model_info *model, const char *path,
-                                   struct brdf_bsdf **out, struct brdf_error *error)
+/* The material described, with one file for all those that it may have. */
+static brdf_status create_measured(const struct brdf_model_info *model, const char *description,
+                                   const char *path, struct brdf_bsdf **out,
+                                   struct brdf_error *error)
 {
-    struct brdf_setting settings[4];
-    size_t count = 0;
-    for (size_t i = 0; i < model->parameter_count && count < 4; ++i) {
+    char whole[4096];
+    size_t length = strlen(description);
+    const char *between = strchr(description, ':') ? "," : ":";
+    snprintf(whole, sizeof whole, "%s", description);
+    for (size_t i = 0; i < model->parameter_count && length < sizeof whole; ++i) {
         if (model->parameters[i].kind == BRDF_KIND_FILE) {
-            settings[count++] = brdf_setting_text(model->parameters[i].name, path);
+            length += (size_t)snprintf(whole + length, sizeof whole - length, "%s%s=%s", between,
+                                       model->parameters[i].name, path);
+            between = ",";
         }
     }
-    return brdf_bsdf_create_from(model->name, settings, count, out, error);
+    if (length >= sizeof whole) {
+        return brdf_fail(error, BRDF_BAD_ARGUMENT, "%s: too long a description", description);
+    }
+    return brdf_bsdf_create(whole, out, error);
 }
 
-static brdf_status create_copper(const struct brdf_model_info *model, const struct format *format,
-                                 struct brdf_bsdf **out, struct brdf_error *error)
+static brdf_status create_copper(const struct brdf_model_info *model, const char *description,
+                                 const struct format *format, struct brdf_bsdf **out,
+                                 struct brdf_error *error)
 {
     const char *folder = getenv("TMPDIR");
     char path[1024];
@@ -94,23 +103,37 @@ static brdf_status create_copper(const struct brdf_model_info *model, const stru
     }
     brdf_bsdf_destroy(bsdf);
     if (!status) {
-        status = create_measured(model, path, out, error);
+        status = create_measured(model, description, path, out, error);
     }
     unlink(path);
     return status;
 }
 
+/* The model that is described, if it needs a file and none is named; else NULL. */
+static const struct brdf_model_info *model_without_file(const char *description)
+{
+    char name[64];
+    const struct brdf_model_info *model = NULL;
+    size_t length = strcspn(description, ":");
+    if (length < sizeof name && !strstr(description, "filename")) {
+        memcpy(name, description, length);
+        name[length] = '\0';
+        model = brdf_model_find(name);
+    }
+    return model && (model->flags & BRDF_TABULATED) ? model : NULL;
+}
+
 brdf_status measured_bsdf_create(const char *description, struct brdf_bsdf **out,
                                  struct brdf_error *error)
 {
-    const struct brdf_model_info *model = brdf_model_find(description);
+    const struct brdf_model_info *model = model_without_file(description);
     *out = NULL;
-    if (!model || !(model->flags & BRDF_TABULATED)) {
+    if (!model) {
         return lab_open(description, out, NULL, error);
     }
     for (size_t i = 0; i < sizeof formats / sizeof formats[0]; ++i) {
         if (strcmp(model->name, formats[i].model) == 0) {
-            return create_copper(model, &formats[i], out, error);
+            return create_copper(model, description, &formats[i], out, error);
         }
     }
     return brdf_fail(error, BRDF_UNSUPPORTED, "%s needs a file: name it as in \"%s:filename=FILE\"",

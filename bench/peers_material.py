@@ -20,6 +20,8 @@ VARIANT = "llvm_ad_rgb"
 OPERATIONS = ("eval", "pdf", "sample")
 LIMIT = 1e-3  # for 999 of 1000 values; single ones hang on the last digits of the directions
 STANDARD_ERRORS = 5.0  # of what samples weigh on average
+TURN = 0.25  # seconds: the threads of the other side take some milliseconds to come to rest
+REST = 0.05
 
 
 class Planes(ctypes.Structure):
@@ -76,10 +78,10 @@ class Evaluator:
                   Planes(planes(wo)), Planes(planes(second)), *result)
         return out[:1] if operation == "pdf" else out[:3]
 
-    def seconds(self):
-        """Of the last operation once more."""
+    def seconds(self, times):
+        """Of the last operation so often again."""
         seconds = ctypes.c_double()
-        self.call("brdfcl_evaluator_repeat", self.pointer, 1, ctypes.byref(seconds))
+        self.call("brdfcl_evaluator_repeat", self.pointer, times, ctypes.byref(seconds))
         return seconds.value
 
 
@@ -91,7 +93,8 @@ def serve(pipe, build, material, inputs):
         question = pipe.recv()
         if question is None:
             return
-        pipe.send(evaluator.run(question, inputs) if question else evaluator.seconds())
+        again = isinstance(question, int)
+        pipe.send(evaluator.seconds(question) if again else evaluator.run(question, inputs))
 
 
 class Ours:
@@ -110,8 +113,8 @@ class Ours:
     def values(self, operation):
         return self.ask(operation)
 
-    def seconds(self, _):
-        return self.ask("")
+    def seconds(self, _, times):
+        return self.ask(times)
 
     def stop(self):
         self.pipe.send(None)
@@ -156,9 +159,10 @@ class Mitsuba:
         color = np.array(result if operation == "eval" else result[1]).reshape(3, -1)
         return np.maximum(color / self.cosine if operation == "eval" else color, 0.0)
 
-    def seconds(self, operation):
+    def seconds(self, operation, times):
         begin = time.perf_counter()
-        self.run(operation)
+        for _ in range(times):
+            self.run(operation)
         return time.perf_counter() - begin
 
 
@@ -183,12 +187,12 @@ def difference(operation, ours, theirs):
 
 def measure(operation, contenders, rounds, count):
     off = difference(operation, *[one.values(operation) for one in contenders])
+    times = [1 + int(TURN / (one.seconds(operation, 3) / 3)) for one in contenders]
     rates = [[], []]
-    for round_number in range(rounds + 2):  # two of each that do not count
+    for _ in range(rounds):
         for i, one in enumerate(contenders):
-            rate = count / one.seconds(operation)
-            if round_number > 1:
-                rates[i].append(rate)
+            time.sleep(REST)
+            rates[i].append(times[i] * count / one.seconds(operation, times[i]))
     return {"operation": operation, "difference": off,
             "same": off < (STANDARD_ERRORS if operation == "sample" else LIMIT),
             "ours": rates[0], "mitsuba": rates[1],

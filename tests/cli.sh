@@ -121,6 +121,8 @@ says out '^diffuse  *sample+eval+pdf '
 says out '^scene.xml  *render '
 says out 'PoCL\|OpenCL'
 holds 'bench: not valid JSON' valid_json bench.json
+# A model that needs a file, by one of its choices: what the list of every model names.
+expect 0 bench merl:fill=false --variance --count 1024
 rm bench.json
 refused 1 'nope.xml' bench --scene nope.xml --quick --rounds 1
 refused 1 'folder' bench diffuse --json /nonexistent/bench.json
