@@ -16,6 +16,17 @@ while IFS='|' read -r model settings; do
     done <settings
 done <table
 
+# One page made anew, beside the tree: a line of the table with its pictures.
+mkdir -p tree/docs tree/scenes
+cp -r "$folder/docs/models" tree/docs
+cp "$folder/scenes/models.xml" tree/scenes
+rm tree/docs/models/images/diffuse*
+last='make_docs.sh diffuse'
+(cd tree && SPP=1 BRDFCL=$BRDFCL "$folder/tools/make_docs.sh" diffuse >../made 2>&1) || fail 'failed'
+holds 'no picture of diffuse' [ -s tree/docs/models/images/diffuse.png ]
+holds 'no lobe of diffuse' [ -s tree/docs/models/images/diffuse_lobe.svg ]
+holds 'the page changed' cmp -s tree/docs/models/diffuse.md "$folder/docs/models/diffuse.md"
+
 for page in "$folder"/*.md "$folder"/docs/*.md "$folder"/docs/models/*.md; do
     grep -o '](\([^)#:]*\)[^):]*)\|src="[^"]*"' "$page" |
         sed -e 's/^](//' -e 's/[)#].*$//' -e 's/^src="//' -e 's/"$//' >links || true

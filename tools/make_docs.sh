@@ -153,14 +153,14 @@ while IFS= read -r line; do
     if [ $# -gt 0 ]; then
         case " $* " in *" $model "*) ;; *) continue ;; esac
     fi
-    if [ -z "$model.mds_only" ]; then
+    if [ -z "$pages_only" ]; then
         have "$model" "$line" || continue
         echo "$model"
         pictures "$model" "$line" </dev/null
     fi
     [ ! -e "$docs/images/$model.png" ] || page "$model" "$line"
 done <"$work/table"
-[ $# -gt 0 ] || [ -n "$model.mds_only" ] || "$BRDFCL" plot --title 'What brdfcl plot shows' \
+[ $# -gt 0 ] || [ -n "$pages_only" ] || "$BRDFCL" plot --title 'What brdfcl plot shows' \
     roughconductor:material=Au,distribution=ggx,alpha_u=0.1,alpha_v=0.3 \
     --size 1314x1000 --scale 1.5 -o "$docs/../plots.png"
 index >"$work/README.md"
