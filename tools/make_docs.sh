@@ -8,7 +8,7 @@
 # $BRDFCL is the command (build/brdfcl if not set), $SPP the samples for each pixel (512). Each page has
 # its pictures between two marks, and gets the marks after its first paragraph if it has none yet. A
 # model that the command does not have, or whose measured files are not in $BRDFCL_DATA
-# (../shared/data if not set), is left as it is, with a word. The same call makes the same files.
+# (../shared/data if not set), is left as it is, with a word. The same call makes the same pixels.
 set -eu
 
 BRDFCL=${BRDFCL:-$(pwd)/build/brdfcl}
