@@ -139,17 +139,12 @@ static inline struct pt_grain pt_grain_at(BRDF_GLOBAL const struct pt_texture *t
     return grain;
 }
 
-static inline brdf_real pt_grain_between(brdf_real late, float early_value, float late_value)
-{
-    return early_value * (1.0f - late) + late_value * late;
-}
-
 static inline brdf_rgb pt_grain_color(struct pt_grain grain, BRDF_GLOBAL const float *early,
                                       BRDF_GLOBAL const float *late, float streaks)
 {
-    brdf_rgb c = brdf_rgb_make(pt_grain_between(grain.late, early[0], late[0]),
-                               pt_grain_between(grain.late, early[1], late[1]),
-                               pt_grain_between(grain.late, early[2], late[2]));
+    brdf_rgb c = brdf_rgb_make(brdf_mix(early[0], late[0], grain.late),
+                               brdf_mix(early[1], late[1], grain.late),
+                               brdf_mix(early[2], late[2], grain.late));
     return brdf_rgb_scale(c, 1.0f - streaks * grain.streak);
 }
 
@@ -167,9 +162,9 @@ static inline brdf_rgb pt_grain_output(BRDF_GLOBAL const struct pt_texture *text
         return brdf_rgb_make(0.5f + 0.5f * grain.axis.x, 0.5f + 0.5f * grain.axis.y,
                              0.5f + 0.5f * grain.axis.z);
     case PT_GRAIN_BETA:
-        return brdf_gray(pt_grain_between(grain.late, texture->beta[0], texture->beta[1]));
+        return brdf_gray(brdf_mix(texture->beta[0], texture->beta[1], grain.late));
     case PT_GRAIN_ALPHA:
-        return brdf_gray(pt_grain_between(grain.late, texture->alpha[0], texture->alpha[1]));
+        return brdf_gray(brdf_mix(texture->alpha[0], texture->alpha[1], grain.late));
     default:
         return brdf_gray(grain.late);
     }

@@ -19,11 +19,6 @@ static inline brdf_real brdf_disney_grazing(brdf_real cosine)
     return (x * x) * (x * x) * x;
 }
 
-static inline brdf_real brdf_disney_mix(brdf_real a, brdf_real b, brdf_real share)
-{
-    return a * (1.0f - share) + b * share;
-}
-
 static inline brdf_rgb brdf_disney_mix_rgb(brdf_rgb a, brdf_rgb b, brdf_real share)
 {
     return brdf_rgb_add(brdf_rgb_scale(a, 1.0f - share), brdf_rgb_scale(b, share));
@@ -70,10 +65,10 @@ static inline brdf_real brdf_disney_diffuse(brdf_real cos_o, brdf_real cos_i, br
     brdf_real fading = (1.0f - 0.5f * o) * (1.0f - 0.5f * i);
     brdf_real retro = back * ((o + i) + o * i * (back - 1.0f));
     brdf_real flat90 = 0.5f * back;
-    brdf_real flat = brdf_disney_mix(1.0f, flat90, o) * brdf_disney_mix(1.0f, flat90, i);
+    brdf_real flat = brdf_mix(1.0f, flat90, o) * brdf_mix(1.0f, flat90, i);
     brdf_real inverse = 1.0f / brdf_max(cos_o + cos_i, 1e-20f);
     flat = 1.25f * (flat * (inverse - 0.5f) + 0.5f);
-    return BRDF_1_PI * brdf_disney_mix(fading + retro, flat, flatness);
+    return BRDF_1_PI * brdf_mix(fading + retro, flat, flatness);
 }
 
 /* GTR of exponent 1, 0 < alpha < 1: density of normals [1/sr]. h is unit, z >= 0. */
@@ -99,7 +94,7 @@ static inline brdf_vec3 brdf_gtr1_sample(brdf_real alpha, brdf_real u, brdf_real
 /* From the gloss of a clearcoat to its roughness [Burley 2012]. */
 static inline brdf_real brdf_disney_coat_alpha(brdf_real gloss)
 {
-    return brdf_disney_mix(0.1f, 0.001f, gloss);
+    return brdf_mix(0.1f, 0.001f, gloss);
 }
 
 /* cos(w) (1 + Lambda(w)) of GGX with roughness 1/4, which masks every clearcoat. */

@@ -8,7 +8,7 @@
 #ifndef BRDF_QUAD_H
 #define BRDF_QUAD_H
 
-#include "dialect.h"
+#include "real.h"
 
 /* Words index, index + 1, index + 2, index + 3 of a table, in every lane. */
 struct brdf_quad {
@@ -26,12 +26,6 @@ static inline struct brdf_quad brdf_quad_make(brdf_real a, brdf_real b, brdf_rea
     q.c = c;
     q.d = d;
     return q;
-}
-
-/* a (1 - t) + b t */
-static inline brdf_real brdf_mix(brdf_real a, brdf_real b, brdf_real t)
-{
-    return a * (1.0f - t) + b * t;
 }
 
 /* The same word by word. */

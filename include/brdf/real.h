@@ -22,6 +22,12 @@ static inline brdf_real brdf_sqr(brdf_real x)
     return x * x;
 }
 
+/* a (1 - t) + b t */
+static inline brdf_real brdf_mix(brdf_real a, brdf_real b, brdf_real t)
+{
+    return a * (1.0f - t) + b * t;
+}
+
 /*
  * x + BRDF_ROUNDER (1.5 2^23) leaves no room for a fraction: for |x| <= 2^22 it rounds x to the
  * nearest whole number, ties to even, and the low bits of the sum are those of that number.

@@ -104,7 +104,7 @@ static inline brdf_rgb brdf_principled_mirrored(struct brdf_principled p, brdf_r
     brdf_real d = brdf_gtr1_d(facet.h, brdf_disney_coat_alpha(p.clearcoat_gloss));
     brdf_real areas = brdf_disney_coat_area(cos_o) * brdf_disney_coat_area(cos_i);
     brdf_real g = p.coat ? 0.25f : cos_o * cos_i;
-    brdf_real coat = 0.25f * p.clearcoat * brdf_disney_mix(0.04f, 1.0f, grazing) * d * g / areas;
+    brdf_real coat = 0.25f * p.clearcoat * brdf_mix(0.04f, 1.0f, grazing) * d * g / areas;
     return brdf_rgb_add(brdf_rgb_scale(facets, both), brdf_gray(coat));
 }
 
