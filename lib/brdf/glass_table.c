@@ -122,10 +122,11 @@ static double between(const float *numbers, int count, int stride, double at)
     return sum;
 }
 
-/* Numbers in [0, 1] where there are none yet: all but every `step`th, `stride` words apart. */
-static void fill(float *numbers, int count, int stride, int step)
+/* Numbers in [0, 1] where there are none yet, first to last of `count`: all but every `step`th,
+   `stride` words apart. */
+static void fill(float *numbers, int count, int first, int last, int stride, int step)
 {
-    for (int i = 0; i < count; ++i) {
+    for (int i = first; i <= last; ++i) {
         if (i % step) {
             double number =
                 between(numbers, (count - 1) / step + 1, step * stride, (double)i / step);
@@ -165,10 +166,10 @@ static void curves_make(const struct making *making, double alpha, int below, fl
             }
         }
         if (last >= first) {
-            fill(losses + first, last - first + 1, 1, COLUMN_STEP);
+            fill(losses + first, last - first + 1, 0, last - first, 1, COLUMN_STEP);
         }
         if (last >= first && passed) {
-            fill(passed + first, last - first + 1, 1, COLUMN_STEP);
+            fill(passed + first, last - first + 1, 0, last - first, 1, COLUMN_STEP);
         }
     }
 }
@@ -242,7 +243,8 @@ static void head_make(struct making *making)
     }
 }
 
-/* Rows by quadrature, all of them or the four around one roughness, and those between. */
+/* Rows by quadrature, all of them or the four around one roughness, and those between; no other row
+   is read then. */
 static void rows_make(struct making *making)
 {
     int first = 0, last = ROWS - 1;
@@ -255,9 +257,10 @@ static void rows_make(struct making *making)
         row_make(making, row * ROW_STEP);
     }
     for (int word = 0; word < BRDF_GLASS_ROW; ++word) {
-        fill(row_of(making, 0) + word, BRDF_GLASS_ROWS, BRDF_GLASS_ROW, ROW_STEP);
+        fill(row_of(making, 0) + word, BRDF_GLASS_ROWS, first * ROW_STEP, last * ROW_STEP,
+             BRDF_GLASS_ROW, ROW_STEP);
     }
-    for (int row = 0; row < BRDF_GLASS_ROWS; ++row) {
+    for (int row = first * ROW_STEP; row <= last * ROW_STEP; ++row) {
         row_average(making, row_of(making, row));
     }
 }
