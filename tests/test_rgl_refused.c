@@ -119,51 +119,46 @@ static void patched(struct damage *damage, const char *name, size_t offset, cons
     free(copy);
 }
 
+/* Patched so, the file is refused with these words. */
+static void patch_refused(struct damage *damage, const char *name, size_t offset, const void *bytes,
+                          size_t count, const char *words)
+{
+    patched(damage, name, offset, bytes, count);
+    expect_refusal(damage->place.path, BRDF_BAD_FILE, words);
+}
+
 static void bad_headers_are_refused(void **state)
 {
     struct damage *damage = *state;
-    patched(damage, NULL, 0, "Tensor", 6);
-    expect_refusal(damage->place.path, BRDF_BAD_FILE, "not an RGL .bsdf file");
-    patched(damage, NULL, 12, "\2", 1);
-    expect_refusal(damage->place.path, BRDF_BAD_FILE, "byte 12: version 2.0");
-    patched(damage, NULL, 14, "\377\377\377\377", 4);
-    expect_refusal(damage->place.path, BRDF_BAD_FILE, "byte ");
-    patched(damage, NULL, 14, "\0\0\0\0", 4);
-    expect_refusal(damage->place.path, BRDF_BAD_FILE, "byte ");
-    patched(damage, "ndf", TYPE, "\13", 1);
-    expect_refusal(damage->place.path, BRDF_BAD_FILE, "\"ndf\" has rank 2 and type 11");
-    patched(damage, "ndf", TYPE, "\0", 1);
-    expect_refusal(damage->place.path, BRDF_BAD_FILE, "unknown type 0");
-    patched(damage, "vndf", RANK, "\3", 1);
-    expect_refusal(damage->place.path, BRDF_BAD_FILE, "\"vndf\" has rank 3");
-    patched(damage, "sigma", (size_t)0 - 5, "gamma", 5);
-    expect_refusal(damage->place.path, BRDF_BAD_FILE, "has no field \"sigma\"");
-    patched(damage, "phi_i", (size_t)0 - 5, "sigma", 5);
-    expect_refusal(damage->place.path, BRDF_BAD_FILE, "rank 1");
+    patch_refused(damage, NULL, 0, "Tensor", 6, "not an RGL .bsdf file");
+    patch_refused(damage, NULL, 12, "\2", 1, "byte 12: version 2.0");
+    patch_refused(damage, NULL, 14, "\377\377\377\377", 4, "byte ");
+    patch_refused(damage, NULL, 14, "\0\0\0\0", 4, "byte ");
+    patch_refused(damage, "ndf", TYPE, "\13", 1, "\"ndf\" has rank 2 and type 11");
+    patch_refused(damage, "ndf", TYPE, "\0", 1, "unknown type 0");
+    patch_refused(damage, "vndf", RANK, "\3", 1, "\"vndf\" has rank 3");
+    patch_refused(damage, "sigma", (size_t)0 - 5, "gamma", 5, "has no field \"sigma\"");
+    patch_refused(damage, "phi_i", (size_t)0 - 5, "sigma", 5, "rank 1");
 }
 
 static void bad_sizes_are_refused(void **state)
 {
     struct damage *damage = *state;
-    patched(damage, "ndf", FIRST_DIMENSION, "\377\377\377\377\377\377\377\377", 8);
-    expect_refusal(damage->place.path, BRDF_BAD_FILE, "larger than the file");
-    patched(damage, "ndf", FIRST_DIMENSION, "\0\0\0\0\0\0\0\200", 8);
-    expect_refusal(damage->place.path, BRDF_BAD_FILE, "larger than the file");
-    patched(damage, "vndf", FIRST_DIMENSION, "\0\0\0\0\1\0\0\0\0\0\0\0\1\0\0\0", 16);
-    expect_refusal(damage->place.path, BRDF_BAD_FILE, "larger than the file");
-    patched(damage, "ndf", FIRST_DIMENSION, "\1", 1);
-    expect_refusal(damage->place.path, BRDF_BAD_FILE, "dimension 0 of \"ndf\" is 1");
-    patched(damage, "theta_i", FIRST_DIMENSION, "\0", 1);
-    expect_refusal(damage->place.path, BRDF_BAD_FILE, "dimension 0 of \"theta_i\" is 0");
-    patched(damage, "vndf", FIRST_DIMENSION + 8, "\1", 1);
-    expect_refusal(damage->place.path, BRDF_BAD_FILE,
-                   "dimension 1 of \"vndf\" is 1, but must be 2");
-    patched(damage, "rgb", FIRST_DIMENSION + 16, "\2", 1);
-    expect_refusal(damage->place.path, BRDF_BAD_FILE, "dimension 2 of \"rgb\" is 2, but must be 3");
-    patched(damage, "luminance", DATA, "\377\377\377\377\377\377\377\177", 8);
-    expect_refusal(damage->place.path, BRDF_BAD_FILE, "lie outside of the file");
-    patched(damage, "luminance", DATA, "\377\377\377\377\377\377\377\377", 8);
-    expect_refusal(damage->place.path, BRDF_BAD_FILE, "lie outside of the file");
+    patch_refused(damage, "ndf", FIRST_DIMENSION, "\377\377\377\377\377\377\377\377", 8,
+                  "larger than the file");
+    patch_refused(damage, "ndf", FIRST_DIMENSION, "\0\0\0\0\0\0\0\200", 8, "larger than the file");
+    patch_refused(damage, "vndf", FIRST_DIMENSION, "\0\0\0\0\1\0\0\0\0\0\0\0\1\0\0\0", 16,
+                  "larger than the file");
+    patch_refused(damage, "ndf", FIRST_DIMENSION, "\1", 1, "dimension 0 of \"ndf\" is 1");
+    patch_refused(damage, "theta_i", FIRST_DIMENSION, "\0", 1, "dimension 0 of \"theta_i\" is 0");
+    patch_refused(damage, "vndf", FIRST_DIMENSION + 8, "\1", 1,
+                  "dimension 1 of \"vndf\" is 1, but must be 2");
+    patch_refused(damage, "rgb", FIRST_DIMENSION + 16, "\2", 1,
+                  "dimension 2 of \"rgb\" is 2, but must be 3");
+    patch_refused(damage, "luminance", DATA, "\377\377\377\377\377\377\377\177", 8,
+                  "lie outside of the file");
+    patch_refused(damage, "luminance", DATA, "\377\377\377\377\377\377\377\377", 8,
+                  "lie outside of the file");
 }
 
 /* One float of a field, number `index`, as the bytes of the file. */
