@@ -10,7 +10,7 @@
 
 /* Planes are some cache lines further apart than a power of two, as in libbrdfcl, for both sides.
  */
-enum { PLANES = 9 + 2 * 13, BLOCK = 4096, APART = 80 };
+enum { PLANES = 9 + 2 * 13, BLOCK = 4096, APART = 96 };
 
 static const struct kind {
     const char *name;

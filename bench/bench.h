@@ -15,9 +15,15 @@
 #include "json.h"
 #include "options.h"
 
-enum { BENCH_LANES = 4, BENCH_CONTENDERS = 2 + BENCH_LANES, BENCH_ROUNDS = 99 };
+enum {
+    BENCH_LANES = 5,
+    BENCH_RENDER_LANES = 4,
+    BENCH_CONTENDERS = 2 + BENCH_LANES,
+    BENCH_ROUNDS = 99
+};
 
-/* Who runs: 0 is C on one thread, 1 is C on all, the others are OpenCL at 1, 4, 8, 16 lanes. */
+/* Who runs: 0 is C on one thread, 1 is C on all, the others are OpenCL at 1, 4, 8, 16 lanes and,
+   but for renders, 32. */
 struct bench_contender {
     int lanes;   /* 0 for C */
     int threads; /* of C; compute units of the device for OpenCL */
@@ -32,7 +38,9 @@ struct bench_contender {
 struct bench_row {
     const char *subject;
     const char *operation;
-    int bytes; /* that one evaluation moves; 0 for a render */
+    int bytes;      /* that one evaluation moves; 0 for a render */
+    int contenders; /* how many run */
+    int chosen;     /* the one whose lanes the library takes by itself */
     struct bench_contender contender[BENCH_CONTENDERS];
 };
 
@@ -53,7 +61,8 @@ struct bench {
     double triad_memory; /* bytes/s, arrays larger than any cache */
     struct brdfcl_device *device[BENCH_LANES];
     struct brdfcl_device_info info;
-    int native; /* the contender with the device's own lanes */
+    int render_chosen; /* the contenders whose lanes renders and evaluators take by themselves */
+    int array_chosen;
     struct json json;
     int differs; /* some result was not that of scalar C */
 };
@@ -88,7 +97,7 @@ brdf_status bench_variance(struct bench *bench, const char *description, struct 
 
 /* report.c */
 void bench_report_begin(struct bench *bench);
-void bench_report_heading(const struct bench *bench, const char *what);
+void bench_report_heading(const struct bench *bench, const char *what, int contenders);
 void bench_report_row(struct bench *bench, const struct bench_row *row);
 brdf_status bench_report_end(struct bench *bench, struct brdf_error *error);
 

@@ -134,18 +134,18 @@ brdf_status bench_contest(const struct bench *bench, struct bench_row *row, doub
 {
     int times[BENCH_CONTENDERS];
     brdf_status status = BRDF_OK;
-    for (int i = 0; i < BENCH_CONTENDERS && !status; ++i) {
+    for (int i = 0; i < row->contenders && !status; ++i) {
         status = calibrate(bench, i, run, context, &times[i], error);
     }
     for (int round = 0; round < bench->rounds && !status; ++round) {
-        for (int i = 0; i < BENCH_CONTENDERS && !status; ++i) {
+        for (int i = 0; i < row->contenders && !status; ++i) {
             double seconds = 0.0;
             status = run(context, i, times[i], &seconds, error);
             row->contender[i].rate[round] =
                 work * (double)times[i] / (seconds > 0.0 ? seconds : 1e-9);
         }
     }
-    for (int i = 0; i < BENCH_CONTENDERS && !status; ++i) {
+    for (int i = 0; i < row->contenders && !status; ++i) {
         row->contender[i].median = bench_median(row->contender[i].rate, bench->rounds);
     }
     return status;

@@ -85,6 +85,8 @@ static brdf_status bench_operation(struct material_work *work, const char *subje
     row.subject = subject;
     row.operation = operation_name(work->operation);
     row.bytes = operation_bytes(work->operation);
+    row.contenders = BENCH_CONTENDERS;
+    row.chosen = bench->array_chosen;
     for (int i = 0; i < BENCH_CONTENDERS; ++i) {
         row.contender[i].lanes = i < 2 ? 0 : brdfcl_device_lanes(bench->device[i - 2]);
         row.contender[i].threads = i == 0 ? 1 : i == 1 ? bench->threads : bench->info.compute_units;

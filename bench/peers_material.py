@@ -53,7 +53,7 @@ class Evaluator:
         bsdf, device = ctypes.c_void_p(), ctypes.c_void_p()
         self.call("brdf_bsdf_create", material.encode(), ctypes.byref(bsdf))
         self.call("brdfcl_device_open", None, 0, 0, ctypes.byref(device))
-        self.lanes = self.library.brdfcl_device_lanes(device)
+        self.lanes = self.library.brdfcl_device_array_lanes(device)
         self.call("brdfcl_evaluator_create", device, bsdf, ctypes.byref(self.pointer))
 
     def call(self, name, *arguments):

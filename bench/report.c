@@ -36,12 +36,12 @@ void bench_report_begin(struct bench *bench)
     json_array(json, "rows");
 }
 
-void bench_report_heading(const struct bench *bench, const char *what)
+void bench_report_heading(const struct bench *bench, const char *what, int contenders)
 {
     printf("\n%-32s %-15s %8s %5s %2d", what, "operation", "C 1", "C", bench->threads);
-    for (int i = 0; i < BENCH_LANES; ++i) {
-        printf("  %2d lane%s", brdfcl_device_lanes(bench->device[i]),
-               brdfcl_device_lanes(bench->device[i]) == 1 ? " " : "s");
+    for (int i = 2; i < contenders; ++i) {
+        int lanes = brdfcl_device_lanes(bench->device[i - 2]);
+        printf("  %2d lane%s", lanes, lanes == 1 ? " " : "s");
     }
     printf("  %6s  %s\n", "ratio", "B  of triad  build s");
 }
@@ -49,26 +49,26 @@ void bench_report_heading(const struct bench *bench, const char *what)
 /* How fast the row moves memory, as a part of what the triad does. */
 static double part_of_triad(const struct bench *bench, const struct bench_row *row)
 {
-    double bytes = row->contender[bench->native].median * row->bytes;
+    double bytes = row->contender[row->chosen].median * row->bytes;
     return bench->triad_near > 0.0 ? bytes / bench->triad_near : 0.0;
 }
 
 static void print_row(const struct bench *bench, const struct bench_row *row)
 {
-    const struct bench_contender *native = &row->contender[bench->native];
+    const struct bench_contender *chosen = &row->contender[row->chosen];
     size_t differing = 0;
     printf("%-32.32s %-15s", row->subject, row->operation);
-    for (int i = 0; i < BENCH_CONTENDERS; ++i) {
+    for (int i = 0; i < row->contenders; ++i) {
         printf(i < 2 ? " %8.4g" : "  %8.4g", row->contender[i].median * 1e-6);
         differing += row->contender[i].differing;
     }
-    printf("  %6.1f", native->median / row->contender[0].median);
+    printf("  %6.1f", chosen->median / row->contender[0].median);
     if (row->bytes) {
         printf(" %2d     %3.0f %%", row->bytes, 100.0 * part_of_triad(bench, row));
     } else {
         printf("          ");
     }
-    printf("  %7.2f%s\n", native->seconds_build, differing ? "  BITS DIFFER" : "");
+    printf("  %7.2f%s\n", chosen->seconds_build, differing ? "  BITS DIFFER" : "");
     fflush(stdout);
 }
 
@@ -102,10 +102,10 @@ void bench_report_row(struct bench *bench, const struct bench_row *row)
         json_int(json, "bytes", row->bytes);
         json_real(json, "part_of_triad", part_of_triad(bench, row));
     }
-    json_real(json, "native_to_scalar",
-              row->contender[bench->native].median / row->contender[0].median);
+    json_real(json, "opencl_to_scalar",
+              row->contender[row->chosen].median / row->contender[0].median);
     json_array(json, "contenders");
-    for (int i = 0; i < BENCH_CONTENDERS; ++i) {
+    for (int i = 0; i < row->contenders; ++i) {
         put_contender(json, bench, &row->contender[i]);
     }
     json_array_end(json);

@@ -40,7 +40,7 @@ static brdf_status compare(struct scene_work *work, struct bench_row *row, struc
 {
     unsigned long long wanted = 0;
     brdf_status status = BRDF_OK;
-    for (int i = 0; i < BENCH_CONTENDERS && !status; ++i) {
+    for (int i = 0; i < row->contenders && !status; ++i) {
         struct bench_contender *contender = &row->contender[i];
         double seconds;
         status = run(work, i, 1, &seconds, error);
@@ -65,6 +65,8 @@ brdf_status bench_scene(struct bench *bench, const char *path, struct brdf_error
     work.bench = bench;
     row.subject = path;
     row.operation = "render";
+    row.contenders = 2 + BENCH_RENDER_LANES;
+    row.chosen = bench->render_chosen;
     brdf_status status = brdfcl_scene_load(path, NULL, 0, &work.scene, error);
     status = status ? status : brdfcl_scene_set_spp(work.scene, bench->spp, error);
     status = status ? status : compare(&work, &row, error);

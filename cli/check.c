@@ -19,7 +19,7 @@ static const char summary[] =
     "description\n"
     "such as ward:alpha=0.2 or a measured file is given. Exit status 1 if any bit differs.";
 
-static const int all_lanes[] = {1, 4, 8, 16};
+static const int all_lanes[] = {1, 4, 8, 16, 32};
 enum { LANES = sizeof all_lanes / sizeof all_lanes[0], BATCH = 1 << 20 };
 
 struct check_run {

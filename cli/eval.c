@@ -51,8 +51,8 @@ int command_eval(int argc, char **argv)
          "where to compute; c if not given, both give the same bits"},
         {"device", 0, OPTION_TEXT, &backend.device, "D", 0, 0,
          "OpenCL device: its number or a part of its name"},
-        {"lanes", 0, OPTION_INT, &backend.lanes, "N", 1, 16,
-         "vector lanes of kernels: 1, 4, 8, 16"},
+        {"lanes", 0, OPTION_INT, &backend.lanes, "N", 1, 32,
+         "vector lanes of kernels: 1, 4, 8, 16, 32"},
         MEASURED_NO_FILL(&fill),
     };
     const struct usage usage = {

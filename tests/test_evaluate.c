@@ -146,7 +146,7 @@ static void check_material(struct brdfcl_device *device, const char *description
     const size_t counts[] = {1, COUNT, 17, 1024};
     for (size_t i = 0; i < sizeof counts / sizeof counts[0]; ++i) {
         snprintf(what, sizeof what, "%s at %d lanes, %zu elements", description,
-                 brdfcl_device_lanes(device), counts[i]);
+                 brdfcl_device_array_lanes(device), counts[i]);
         run_each(bsdf, evaluator, &inputs, counts[i], what);
         run_bounce(bsdf, evaluator, &inputs, counts[i], what);
     }
@@ -183,12 +183,27 @@ static void models_have_the_bits_of_c(void **state)
 static void every_lane_count_has_the_bits_of_c(void **state)
 {
     (void)state;
-    const int lanes[] = {1, 4, 8, 16};
+    const int lanes[] = {1, 4, 8, 16, 32};
     for (size_t i = 0; i < sizeof lanes / sizeof lanes[0]; ++i) {
         struct brdfcl_device *device = open_device(lanes[i]);
         check_material(device, "roughconductor:distribution=ggx,alpha_u=0.3,alpha_v=0.1,twosided");
         brdfcl_device_close(device);
     }
+}
+
+/* Left to itself, an evaluator takes two vectors of a processor. */
+static void lanes_are_twice_those_of_renders(void **state)
+{
+    (void)state;
+    struct brdfcl_device *device = open_device(0);
+    int lanes = brdfcl_device_lanes(device);
+    int twice = brdfcl_device_get_info(device).cpu && lanes > 1;
+    assert_int_equal(brdfcl_device_array_lanes(device), twice ? 2 * lanes : lanes);
+    brdfcl_device_close(device);
+    device = open_device(8);
+    assert_int_equal(brdfcl_device_array_lanes(device), 8);
+    brdfcl_device_close(device);
+    assert_int_equal(brdfcl_device_open(NULL, 64, 0, &device, NULL), BRDF_OUT_OF_RANGE);
 }
 
 static void arrays_that_are_not_wanted_may_be_missing(void **state)
@@ -264,6 +279,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(models_have_the_bits_of_c),
         cmocka_unit_test(every_lane_count_has_the_bits_of_c),
+        cmocka_unit_test(lanes_are_twice_those_of_renders),
         cmocka_unit_test(arrays_that_are_not_wanted_may_be_missing),
         cmocka_unit_test(a_call_is_repeated_in_place),
         cmocka_unit_test(too_many_elements_are_refused),

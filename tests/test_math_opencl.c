@@ -209,25 +209,25 @@ static void arguments_fill(struct fixture *fixture, const struct math_function *
 
 static void bits_are_those_of_c(void **state)
 {
-    static const int lanes[] = {1, 4, 8, 16};
+    static const int lanes[] = {1, 4, 8, 16, 32};
     struct fixture *fixture = *state;
     if (fixture->device_count == 0) {
         print_message("no OpenCL device with correctly rounded division\n");
         skip();
     }
     for (cl_uint d = 0; d < fixture->device_count; ++d) {
-        struct session sessions[4];
-        for (int i = 0; i < 4; ++i) {
+        struct session sessions[5];
+        for (int i = 0; i < 5; ++i) {
             session_open(&sessions[i], fixture->devices[d], lanes[i]);
         }
         for (const struct math_function *f = math_functions; f->name; ++f) {
             arguments_fill(fixture, f);
-            for (int i = 0; i < 4; ++i) {
+            for (int i = 0; i < 5; ++i) {
                 session_run(&sessions[i], fixture, f, lanes[i]);
                 compare(fixture, f, lanes[i]);
             }
         }
-        for (int i = 0; i < 4; ++i) {
+        for (int i = 0; i < 5; ++i) {
             session_close(&sessions[i]);
         }
     }

@@ -18,7 +18,7 @@
 #include "opencl.h"
 #include "support_models.h"
 
-static const int lane_counts[] = {1, 4, 8, 16};
+static const int lane_counts[] = {1, 4, 8, 16, 32};
 
 enum { LANE_COUNTS = sizeof lane_counts / sizeof lane_counts[0] };
 
@@ -144,7 +144,8 @@ static void run_layout(struct brdfcl_device *device, cl_uint places[PLACES])
     size_t one = 1;
     struct opencl_materials materials = {0};
     opencl_materials_add(&materials, 0, 0);
-    if (opencl_build(device, &materials, layout_text, "layout", "", &program, &error) ||
+    if (opencl_build(device, brdfcl_device_lanes(device), &materials, layout_text, "layout", "",
+                     &program, &error) ||
         opencl_buffer(device, PLACES * sizeof(cl_uint), &buffer, &error)) {
         fail_msg("%s", error.message);
     }

@@ -166,6 +166,22 @@ static void too_large_for_the_device(void **state)
     brdfcl_scene_destroy(scene);
 }
 
+/* 32 lanes are for arrays. */
+static void lanes_that_no_render_has(void **state)
+{
+    const struct view view = {NULL, NULL, 0, 8, 1, 1, 0, NULL, NULL};
+    struct brdfcl_device *device = NULL;
+    (void)state;
+    if (brdfcl_device_count() == 0) {
+        skip();
+    }
+    assert_int_equal(brdfcl_device_open("", 32, 0, &device, NULL), BRDF_OK);
+    struct brdfcl_scene *scene = render_scene_load(&view, even_contents);
+    assert_refused(scene, device, BRDF_OUT_OF_RANGE, "32 lanes");
+    brdfcl_device_close(device);
+    brdfcl_scene_destroy(scene);
+}
+
 /* Lanes without a path compute with whatever lies in memory; what they read must still be there. */
 static void idle_lanes_read_inside(void **state)
 {
@@ -192,7 +208,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(stops_when_told),          cmocka_unit_test(stops_at_once),
         cmocka_unit_test(counts_what_it_does),      cmocka_unit_test(too_many_pixels),
-        cmocka_unit_test(too_large_for_the_device), cmocka_unit_test(idle_lanes_read_inside),
+        cmocka_unit_test(too_large_for_the_device), cmocka_unit_test(lanes_that_no_render_has),
+        cmocka_unit_test(idle_lanes_read_inside),
     };
     return cmocka_run_group_tests(tests, scene_files_open, scene_files_close);
 }

@@ -183,7 +183,7 @@ static cl_device_id first_device(void)
 static void opencl_compiles_it_at_every_lane_count(void **state)
 {
     (void)state;
-    static const int lanes[] = {1, 4, 8, 16};
+    static const int lanes[] = {1, 4, 8, 16, 32};
     static char log[65536];
     cl_device_id device = first_device();
     char *out;
@@ -195,7 +195,7 @@ static void opencl_compiles_it_at_every_lane_count(void **state)
                        "#include \"brdf/model/diffuse.h\"\n"
                        "kernel void f(global float *x) { x[0] = BRDF_MODEL_COUNT + BRDF_LANES; }\n";
     assert_int_equal(brdf_source_expand(text, "a.cl", NULL, &out, NULL), BRDF_OK);
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < 5; ++i) {
         char options[64];
         snprintf(options, sizeof options, "-cl-std=CL1.2 -Werror -DBRDF_LANES=%d", lanes[i]);
         if (build(device, out, options, log, sizeof log) != CL_SUCCESS) {

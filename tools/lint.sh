@@ -60,7 +60,7 @@ function has_bare_literal(    rest, before, after) {
 FNR == 1 { in_comment = 0 }
 {
     code = code_of($0)
-    dialect = FILENAME ~ /dialect\.h$/
+    dialect = FILENAME ~ /dialect(_c|_opencl|_wide)?\.h$/
     if (word("double")) broken("no double")
     if (has_bare_literal()) broken("a floating literal ends in f")
     if (word("goto")) broken("no goto")
@@ -80,7 +80,7 @@ FNR == 1 { in_comment = 0 }
         call("mad|rsqrt|cross|dot|normalize|length|distance|mix|clamp|smoothstep|step|sign"))
         broken("OpenCL alone has this function: C cannot follow")
     if (!dialect && FILENAME ~ /^include/ && code ~ /__OPENCL|__kernel|__global|__constant|__local/)
-        broken("of the shared headers, only dialect.h asks which compiler reads it")
+        broken("of the shared headers, only dialect*.h ask which compiler reads it")
     if (!dialect && code ~ /#[ ]*include[ ]*</) broken("an angle include is for the host alone")
 }
 END { exit count > 0 }

@@ -56,7 +56,7 @@ static inline struct brdf_quad brdf_gather_records(BRDF_GLOBAL const float *tabl
 #else
 
 /*
- * The records of lanes k, k + 4, k + 8, k + 12 side by side in one vector; then, within each group
+ * The records of lanes k, k + 4, k + 8, ... side by side in one vector; then, within each group
  * of four lanes, the lower (higher) lanes of two vectors by turns, and their lower (higher) pairs
  * side by side. Each of these is one instruction on x86 (unpcklps, unpckhps, unpcklpd, unpckhpd),
  * if it is spelled as a shuffle of whole vectors.
@@ -69,34 +69,33 @@ static inline struct brdf_quad brdf_gather_records(BRDF_GLOBAL const float *tabl
 #ifndef BRDF_SHUFFLE
 #define BRDF_SHUFFLE(p, q, ...) shuffle2(p, q, (brdf_uint)(__VA_ARGS__))
 #endif
+
+/* The same four places in every group of four lanes. */
+#define BRDF_GROUP(g, i, j, k, l) (i) + 4 * (g), (j) + 4 * (g), (k) + 4 * (g), (l) + 4 * (g)
 #if BRDF_LANES == 4
-#define BRDF_BESIDE(F, k0, k1, k2, k3) F(k0)
-#define BRDF_ZIP_LOW(p, q) BRDF_SHUFFLE(p, q, 0, 4, 1, 5)
-#define BRDF_ZIP_HIGH(p, q) BRDF_SHUFFLE(p, q, 2, 6, 3, 7)
-#define BRDF_LOW_PAIRS(p, q) BRDF_SHUFFLE(p, q, 0, 1, 4, 5)
-#define BRDF_HIGH_PAIRS(p, q) BRDF_SHUFFLE(p, q, 2, 3, 6, 7)
-#define BRDF_REPEAT(t, k) BRDF_SHUFFLE(t, t, k, k, k, k)
+#define BRDF_GROUPS(i, j, k, l) BRDF_GROUP(0, i, j, k, l)
+#define BRDF_BESIDE(F, k0, k1, k2, k3, k4, k5, k6, k7) F(k0)
 #elif BRDF_LANES == 8
-#define BRDF_BESIDE(F, k0, k1, k2, k3) (brdf_real)(F(k0), F(k1))
-#define BRDF_ZIP_LOW(p, q) BRDF_SHUFFLE(p, q, 0, 8, 1, 9, 4, 12, 5, 13)
-#define BRDF_ZIP_HIGH(p, q) BRDF_SHUFFLE(p, q, 2, 10, 3, 11, 6, 14, 7, 15)
-#define BRDF_LOW_PAIRS(p, q) BRDF_SHUFFLE(p, q, 0, 1, 8, 9, 4, 5, 12, 13)
-#define BRDF_HIGH_PAIRS(p, q) BRDF_SHUFFLE(p, q, 2, 3, 10, 11, 6, 7, 14, 15)
-#define BRDF_REPEAT(t, k) BRDF_SHUFFLE(t, t, k, k, k, k, k + 4, k + 4, k + 4, k + 4)
+#define BRDF_GROUPS(i, j, k, l) BRDF_GROUP(0, i, j, k, l), BRDF_GROUP(1, i, j, k, l)
+#define BRDF_BESIDE(F, k0, k1, k2, k3, k4, k5, k6, k7) (brdf_real)(F(k0), F(k1))
+#elif BRDF_LANES == 16
+#define BRDF_GROUPS(i, j, k, l)                                                                    \
+    BRDF_GROUP(0, i, j, k, l), BRDF_GROUP(1, i, j, k, l), BRDF_GROUP(2, i, j, k, l),               \
+        BRDF_GROUP(3, i, j, k, l)
+#define BRDF_BESIDE(F, k0, k1, k2, k3, k4, k5, k6, k7) (brdf_real)(F(k0), F(k1), F(k2), F(k3))
 #else
-#define BRDF_BESIDE(F, k0, k1, k2, k3) (brdf_real)(F(k0), F(k1), F(k2), F(k3))
-#define BRDF_ZIP_LOW(p, q)                                                                         \
-    BRDF_SHUFFLE(p, q, 0, 16, 1, 17, 4, 20, 5, 21, 8, 24, 9, 25, 12, 28, 13, 29)
-#define BRDF_ZIP_HIGH(p, q)                                                                        \
-    BRDF_SHUFFLE(p, q, 2, 18, 3, 19, 6, 22, 7, 23, 10, 26, 11, 27, 14, 30, 15, 31)
-#define BRDF_LOW_PAIRS(p, q)                                                                       \
-    BRDF_SHUFFLE(p, q, 0, 1, 16, 17, 4, 5, 20, 21, 8, 9, 24, 25, 12, 13, 28, 29)
-#define BRDF_HIGH_PAIRS(p, q)                                                                      \
-    BRDF_SHUFFLE(p, q, 2, 3, 18, 19, 6, 7, 22, 23, 10, 11, 26, 27, 14, 15, 30, 31)
-#define BRDF_REPEAT(t, k)                                                                          \
-    BRDF_SHUFFLE(t, t, k, k, k, k, k + 4, k + 4, k + 4, k + 4, k + 8, k + 8, k + 8, k + 8, k + 12, \
-                 k + 12, k + 12, k + 12)
+#define BRDF_GROUPS(i, j, k, l)                                                                    \
+    BRDF_GROUP(0, i, j, k, l), BRDF_GROUP(1, i, j, k, l), BRDF_GROUP(2, i, j, k, l),               \
+        BRDF_GROUP(3, i, j, k, l), BRDF_GROUP(4, i, j, k, l), BRDF_GROUP(5, i, j, k, l),           \
+        BRDF_GROUP(6, i, j, k, l), BRDF_GROUP(7, i, j, k, l)
+#define BRDF_BESIDE(F, k0, k1, k2, k3, k4, k5, k6, k7)                                             \
+    (brdf_real)(F(k0), F(k1), F(k2), F(k3), F(k4), F(k5), F(k6), F(k7))
 #endif
+#define BRDF_ZIP_LOW(p, q) BRDF_SHUFFLE(p, q, BRDF_GROUPS(0, BRDF_LANES, 1, BRDF_LANES + 1))
+#define BRDF_ZIP_HIGH(p, q) BRDF_SHUFFLE(p, q, BRDF_GROUPS(2, BRDF_LANES + 2, 3, BRDF_LANES + 3))
+#define BRDF_LOW_PAIRS(p, q) BRDF_SHUFFLE(p, q, BRDF_GROUPS(0, 1, BRDF_LANES, BRDF_LANES + 1))
+#define BRDF_HIGH_PAIRS(p, q) BRDF_SHUFFLE(p, q, BRDF_GROUPS(2, 3, BRDF_LANES + 2, BRDF_LANES + 3))
+#define BRDF_REPEAT(t, k) BRDF_SHUFFLE(t, t, BRDF_GROUPS(k, k, k, k))
 
 /* Transpose the 4 x 4 blocks of four vectors; its own inverse. */
 static inline struct brdf_quad brdf_quad_transpose(struct brdf_quad q)
@@ -127,9 +126,12 @@ static inline struct brdf_quad brdf_quad_spread(brdf_real t)
  */
 static inline struct brdf_quad brdf_gather_records(BRDF_GLOBAL const float *table, brdf_int index)
 {
-#define BRDF_LANE(k) *(BRDF_GLOBAL const brdf_four_floats *)(table + as_uint(index.s##k))
-    return brdf_quad_make(BRDF_BESIDE(BRDF_LANE, 0, 4, 8, c), BRDF_BESIDE(BRDF_LANE, 1, 5, 9, d),
-                          BRDF_BESIDE(BRDF_LANE, 2, 6, a, e), BRDF_BESIDE(BRDF_LANE, 3, 7, b, f));
+#define BRDF_LANE(k)                                                                               \
+    *(BRDF_GLOBAL const brdf_four_floats *)(table + as_uint(BRDF_LANE_OF(index, k)))
+    return brdf_quad_make(BRDF_BESIDE(BRDF_LANE, 0, 4, 8, c, g, k, o, s),
+                          BRDF_BESIDE(BRDF_LANE, 1, 5, 9, d, h, l, p, t),
+                          BRDF_BESIDE(BRDF_LANE, 2, 6, a, e, i, m, q, u),
+                          BRDF_BESIDE(BRDF_LANE, 3, 7, b, f, j, n, r, v));
 #undef BRDF_LANE
 }
 

@@ -10,7 +10,8 @@
  *   }
  *
  * For the same bits as in C build with "-cl-std=CL1.2 -cl-fp32-correctly-rounded-divide-sqrt" and
- * -DBRDF_LANES=1, 4, 8 or 16. Nothing need be installed where the program runs.
+ * -DBRDF_LANES=1, 4, 8, 16 or (with a compiler that is a clang, as PoCL's) 32. Nothing need be
+ * installed where the program runs.
  */
 #ifndef BRDF_SOURCE_H
 #define BRDF_SOURCE_H

@@ -40,9 +40,10 @@ struct brdfcl_device;
 
 /*
  * Open a device by number ("0") or by a part of its name or platform ("pocl", case ignored); NULL
- * or "" opens the first processor, or else the first device. `lanes` is 1, 4, 8 or 16, or 0 for the
- * device's native width. `threads` limits the cores of a processor, 0 = all (PoCL reads it once a
- * process, at its first use). BRDF_NO_DEVICE says what was looked for and what there is.
+ * or "" opens the first processor, or else the first device. `lanes` is 1, 4, 8, 16 or, for
+ * evaluators and checks only, 32; 0 is the device's native width for renders and, on a processor,
+ * twice that for evaluators. `threads` limits the cores of a processor, 0 = all (PoCL reads it once
+ * a process, at its first use). BRDF_NO_DEVICE says what was looked for and what there is.
  */
 BRDFCL_API brdf_status brdfcl_device_open(const char *choice, int lanes, int threads,
                                           struct brdfcl_device **device, struct brdf_error *error);
@@ -51,7 +52,10 @@ BRDFCL_API brdf_status brdfcl_device_open(const char *choice, int lanes, int thr
 BRDFCL_API void brdfcl_device_close(struct brdfcl_device *device);
 
 BRDFCL_API struct brdfcl_device_info brdfcl_device_get_info(const struct brdfcl_device *device);
+
+/* Lanes of renders, and of evaluators (brdfcl/evaluate.h). */
 BRDFCL_API int brdfcl_device_lanes(const struct brdfcl_device *device);
+BRDFCL_API int brdfcl_device_array_lanes(const struct brdfcl_device *device);
 
 #ifdef __cplusplus
 }

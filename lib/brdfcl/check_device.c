@@ -80,8 +80,9 @@ brdf_status check_device_build(struct check_device *check, const struct brdf_mat
     release_program(check);
     struct opencl_materials materials = {0};
     opencl_materials_add(&materials, material->model, material->choices);
-    brdf_status status = opencl_build(check->device, &materials, "#include \"kernels/check.cl\"\n",
-                                      "check", options, &check->program, error);
+    brdf_status status =
+        opencl_build(check->device, check->device->lanes, &materials,
+                     "#include \"kernels/check.cl\"\n", "check", options, &check->program, error);
     if (!status) {
         cl_int cl;
         check->kernel = clCreateKernel(check->program, "check", &cl);

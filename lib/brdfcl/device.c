@@ -70,13 +70,26 @@ static brdf_status no_device(const char *choice, struct brdf_error *error)
                      known);
 }
 
+/*
+ * Where nobody chose: a vector of the device. Evaluators take two of a processor's, which hide each
+ * other's latencies (1.0 to 2.5 times as fast, docs/benchmark.md); a render's kernels have more
+ * values than registers, and two vectors of each are slower.
+ */
+static void choose_lanes(struct brdfcl_device *device, int lanes)
+{
+    int native = device->info.native_lanes;
+    int vector = native >= 16 ? 16 : native >= 8 ? 8 : native >= 4 ? 4 : 1;
+    device->lanes = lanes != 0 ? lanes : vector;
+    device->array_lanes = lanes != 0 ? lanes : vector * (device->info.cpu && vector > 1 ? 2 : 1);
+}
+
 brdf_status brdfcl_device_open(const char *choice, int lanes, int threads,
                                struct brdfcl_device **out, struct brdf_error *error)
 {
     *out = NULL;
-    if (lanes != 0 && lanes != 1 && lanes != 4 && lanes != 8 && lanes != 16) {
-        return brdf_fail(error, BRDF_OUT_OF_RANGE, "%d lanes: there are kernels of 1, 4, 8 and 16",
-                         lanes);
+    if (lanes != 0 && lanes != 1 && lanes != 4 && lanes != 8 && lanes != 16 && lanes != 32) {
+        return brdf_fail(error, BRDF_OUT_OF_RANGE,
+                         "%d lanes: there are kernels of 1, 4, 8, 16 and 32", lanes);
     }
     if (threads > 0) {
         char text[16];
@@ -94,8 +107,7 @@ brdf_status brdfcl_device_open(const char *choice, int lanes, int threads,
         return no_device(choice ? choice : "", error);
     }
     opencl_describe(platform, device->id, &device->info);
-    int native = device->info.native_lanes;
-    device->lanes = lanes != 0 ? lanes : native >= 16 ? 16 : native >= 8 ? 8 : native >= 4 ? 4 : 1;
+    choose_lanes(device, lanes);
 
     cl_int status;
     device->context = clCreateContext(NULL, 1, &device->id, NULL, NULL, &status);
@@ -134,4 +146,9 @@ struct brdfcl_device_info brdfcl_device_get_info(const struct brdfcl_device *dev
 int brdfcl_device_lanes(const struct brdfcl_device *device)
 {
     return device->lanes;
+}
+
+int brdfcl_device_array_lanes(const struct brdfcl_device *device)
+{
+    return device->array_lanes;
 }

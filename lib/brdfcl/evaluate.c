@@ -35,9 +35,9 @@ static brdf_status build(struct brdfcl_evaluator *evaluator, const struct brdf_m
              opencl_model_tag(material->model), material->flags, material->choices);
     struct opencl_materials materials = {0};
     opencl_materials_add(&materials, material->model, material->choices);
-    brdf_status status =
-        opencl_build(evaluator->arrays.device, &materials, "#include \"kernels/evaluate.cl\"\n",
-                     "evaluate", options, &evaluator->program, error);
+    brdf_status status = opencl_build(
+        evaluator->arrays.device, evaluator->arrays.device->array_lanes, &materials,
+        "#include \"kernels/evaluate.cl\"\n", "evaluate", options, &evaluator->program, error);
     for (int i = 0; i < OPERATIONS && !status; ++i) {
         cl_int cl;
         evaluator->kernel[i] = clCreateKernel(evaluator->program, names[i], &cl);
@@ -113,7 +113,8 @@ static brdf_status get_samples(struct evaluate_arrays *arrays, size_t count, str
 static brdf_status set_arguments(struct brdfcl_evaluator *evaluator, cl_kernel kernel,
                                  struct brdf_error *error)
 {
-    cl_ulong apart = (cl_ulong)(evaluator->arrays.stride / (size_t)evaluator->arrays.device->lanes);
+    cl_ulong apart =
+        (cl_ulong)(evaluator->arrays.stride / (size_t)evaluator->arrays.device->array_lanes);
     cl_int cl = clSetKernelArg(kernel, 0, sizeof(cl_mem), &evaluator->word);
     cl = cl ? cl : clSetKernelArg(kernel, 1, sizeof(cl_mem), &evaluator->table);
     cl = cl ? cl : clSetKernelArg(kernel, 2, sizeof apart, &apart);
@@ -126,9 +127,9 @@ static brdf_status launch(struct brdfcl_evaluator *evaluator, enum operation ope
                           struct brdf_error *error)
 {
     cl_kernel kernel = evaluator->kernel[operation];
-    size_t packets = evaluator->arrays.padded / (size_t)evaluator->arrays.device->lanes;
+    size_t packets = evaluator->arrays.padded / (size_t)evaluator->arrays.device->array_lanes;
     /* Left to itself, PoCL takes thousands of work-items a group, and their stack runs out. */
-    size_t group = EVALUATE_PADDING / (size_t)evaluator->arrays.device->lanes;
+    size_t group = EVALUATE_PADDING / (size_t)evaluator->arrays.device->array_lanes;
     brdf_status status = set_arguments(evaluator, kernel, error);
     for (int i = 0; i < times && !status; ++i) {
         cl_int cl = clEnqueueNDRangeKernel(evaluator->arrays.device->queue, kernel, 1, NULL,

@@ -70,9 +70,10 @@ static brdf_status build_failed(struct brdfcl_device *device, cl_program program
     return BRDF_DEVICE;
 }
 
-brdf_status opencl_build(struct brdfcl_device *device, const struct opencl_materials *materials,
-                         const char *text, const char *text_name, const char *options,
-                         cl_program *program, struct brdf_error *error)
+brdf_status opencl_build(struct brdfcl_device *device, int lanes,
+                         const struct opencl_materials *materials, const char *text,
+                         const char *text_name, const char *options, cl_program *program,
+                         struct brdf_error *error)
 {
     *program = NULL;
     char *expanded = NULL;
@@ -87,7 +88,7 @@ brdf_status opencl_build(struct brdfcl_device *device, const struct opencl_mater
              precision & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT
                  ? "-cl-fp32-correctly-rounded-divide-sqrt"
                  : "",
-             device->lanes, options);
+             lanes, options);
 
     const char *source = expanded;
     cl_int status;

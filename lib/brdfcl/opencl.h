@@ -13,7 +13,8 @@ struct brdfcl_device {
     cl_device_id id;
     cl_context context;
     cl_command_queue queue; /* in order */
-    int lanes;
+    int lanes;              /* of renders and checks */
+    int array_lanes;        /* of evaluators */
     struct brdfcl_device_info info;
 };
 
@@ -53,9 +54,10 @@ const char *opencl_model_tag(unsigned model);
  * materials (brdf/choices.h): what nobody uses costs no time to compile. Build errors carry the
  * compiler's log, whose places are those of the source files.
  */
-brdf_status opencl_build(struct brdfcl_device *device, const struct opencl_materials *materials,
-                         const char *text, const char *text_name, const char *options,
-                         cl_program *program, struct brdf_error *error);
+brdf_status opencl_build(struct brdfcl_device *device, int lanes,
+                         const struct opencl_materials *materials, const char *text,
+                         const char *text_name, const char *options, cl_program *program,
+                         struct brdf_error *error);
 
 /* The text of such a program; *out is malloc'd. */
 brdf_status opencl_expand(const struct opencl_materials *materials, const char *text,

@@ -93,6 +93,12 @@ brdf_status brdfcl_render(const struct brdfcl_scene *scene,
                          "%d x %d pixels: at most %d million can be rendered at once", scene->width,
                          scene->height, INT_MAX / PT_FILM_WORDS / 1000000);
     }
+    if (options->device && options->device->lanes > PT_WIDTH) {
+        return brdf_fail(error, BRDF_OUT_OF_RANGE,
+                         "%d lanes are for evaluating arrays: open the device with at most %d to "
+                         "render",
+                         options->device->lanes, PT_WIDTH);
+    }
     struct render_job job;
     memset(&job, 0, sizeof job);
     job.options = options;

@@ -68,8 +68,8 @@ static brdf_status build(struct wavefront *wave, struct brdf_error *error)
             opencl_materials_add(&materials, world->variants[v].model, world->variants[v].choices);
         }
     }
-    brdf_status status =
-        opencl_build(wave->device, &materials, text, "wavefront", options, &wave->program, error);
+    brdf_status status = opencl_build(wave->device, wave->device->lanes, &materials, text,
+                                      "wavefront", options, &wave->program, error);
     free(text);
     return status;
 }
