@@ -192,8 +192,8 @@ run-full: $(filter $(BUILD)/tests/test_models_%,$(test_programs))
 # --- Building ----------------------------------------------------------------------------------
 
 # Who may see whose headers: arrows point down, cli -> laboratory -> libbrdfcl -> libbrdf.
-$(BUILD)/obj/lib/brdf/%.o: includes = -Ilib/brdf
-$(BUILD)/obj/lib/brdfcl/%.o: includes = -I. -Ilib/brdfcl -Ikernels $(package_cflags) $(embree_cppflags)
+$(BUILD)/obj/lib/brdf/%.o: includes = -Ilib -Ilib/brdf
+$(BUILD)/obj/lib/brdfcl/%.o: includes = -I. -Ilib -Ilib/brdfcl -Ikernels $(package_cflags) $(embree_cppflags)
 $(BUILD)/obj/lib/brdflab/%.o: includes = -Ilib -Ilib/brdflab $(lab_cflags)
 $(BUILD)/obj/cli/%.o: includes = -Icli -Ibench -Ilib
 $(BUILD)/obj/bench/%.o: includes = -Ibench -Icli -Ilib

@@ -7,14 +7,13 @@
 #include <brdf/model.h>
 #include <brdf/warp.h>
 
+#include "angle.h"
 #include "arrays.h"
 #include "bench.h"
 #include "brdflab/lattice.h"
+#include "file_name.h"
 #include "parse.h"
 #include "random.h"
-
-static const double pi = 3.14159265358979323846;
-static const double degree = 3.14159265358979323846 / 180.0;
 
 /*
  * One sample's estimate of the light that a viewer sees, under four lights: radiance 1 from
@@ -196,8 +195,8 @@ brdf_status bench_variance(struct bench *bench, const char *description, struct 
     if (status) {
         return status;
     }
-    const char *slash = strchr(description, ':') ? NULL : strrchr(description, '/');
-    const char *shown = slash ? slash + 1 : description; /* a file without its folder */
+    int is_path = strchr(description, ':') == NULL;
+    const char *shown = is_path ? file_name_of(description) : description;
     struct noise noise = measure(bsdf, bench->count);
     brdf_bsdf_destroy(bsdf);
     json_object(json, NULL);

@@ -17,7 +17,9 @@ static const char summary[] =
     "numbers\n"
     "and random parameters of each model (all if none is named), or of one material where a "
     "description\n"
-    "such as ward:alpha=0.2 or a measured file is given. Exit status 1 if any bit differs.";
+    "such as ward:alpha=0.2 or a measured file is given. A model that needs a file and is given "
+    "none\n"
+    "gets one that is made for it. Exit status 1 if any bit differs.";
 
 static const int all_lanes[] = {1, 4, 8, 16, 32};
 enum { LANES = sizeof all_lanes / sizeof all_lanes[0], BATCH = 1 << 20 };
@@ -75,7 +77,7 @@ static brdf_status check_material(struct check_run *run, const char *description
 {
     struct brdf_bsdf *bsdf = NULL;
     struct brdfcl_evaluator *evaluator = NULL;
-    brdf_status status = lab_open(description, &bsdf, NULL, error);
+    brdf_status status = measured_bsdf_create(description, &bsdf, error);
     if (!status) {
         status = brdfcl_evaluator_create(device, bsdf, &evaluator, error);
     }
@@ -122,7 +124,7 @@ static brdf_status check_names(const struct texts *names, struct brdf_error *err
         if (brdf_model_find(names->item[i])) {
             continue;
         }
-        brdf_status status = lab_open(names->item[i], &bsdf, NULL, error);
+        brdf_status status = measured_bsdf_create(names->item[i], &bsdf, error);
         if (status) {
             return status;
         }

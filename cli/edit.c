@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "brdflab/edit.h"
+#include "angle.h"
 #include "brdflab/open.h"
 #include "commands.h"
 #include "measured.h"
@@ -16,8 +17,6 @@ static const char summary[] =
     "changes in the slopes of the half vector and keeps its energy. Hue and saturation change in "
     "Oklab,\n"
     "and keep lightness. What is not given stays as it is.";
-
-static const double radians = 3.14159265358979323846 / 180.0;
 
 struct edit_run {
     const char *in;
@@ -55,7 +54,7 @@ static int read_command_line(struct edit_run *run, int argc, char **argv)
         return status;
     }
     run->in = arguments.item[0];
-    edit->hue *= radians;
+    edit->hue *= degree;
     edit->part = (enum lab_edit_part)run->part;
     return measured_out_set(&run->out, arguments.item[1], arguments.item, 1);
 }

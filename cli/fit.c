@@ -12,6 +12,7 @@
 #include "brdflab/scene_text.h"
 
 #include "commands.h"
+#include "file_name.h"
 #include "fit_picture.h"
 #include "measured.h"
 #include "options.h"
@@ -61,8 +62,7 @@ static void print_fit(const struct lab_fit_options *options, const struct lab_fi
 /* What a plot calls the target: a file without its folder. */
 static const char *name_of(const char *what, enum lab_format format)
 {
-    const char *slash = format == LAB_FORMAT_NONE ? NULL : strrchr(what, '/');
-    return slash ? slash + 1 : what;
+    return format == LAB_FORMAT_NONE ? what : file_name_of(what);
 }
 
 static brdf_status run(const char *what, int fill, struct lab_fit_options *options,

@@ -10,16 +10,16 @@
 #include <sys/stat.h>
 
 #include "brdflab/open.h"
+#include "file_name.h"
 
 /* The part of a path that a person calls it by: without folder and suffix. */
 static char *name_of(const char *material)
 {
-    const char *slash = strrchr(material, '/');
     const char *dot = strrchr(material, '.');
     if (!dot || (strcmp(dot, ".binary") != 0 && strcmp(dot, ".bsdf") != 0)) {
         return strdup(material); /* a description */
     }
-    const char *begin = slash ? slash + 1 : material;
+    const char *begin = file_name_of(material);
     return strndup(begin, (size_t)(dot - begin));
 }
 

@@ -1,5 +1,6 @@
 /* parse.c - numbers and directions from a command line. */
 #include "parse.h"
+#include "angle.h"
 
 #include <errno.h>
 #include <math.h>
@@ -107,8 +108,6 @@ enum parse_result parse_size(const char *text, double low, double high, struct s
     enum parse_result height = parse_int(parts[1], low, high, &value->height);
     return width > height ? width : height;
 }
-
-static const double pi = 3.14159265358979323846;
 
 /* Sine and cosine of an angle in degrees, turned into [-45, 45] first. */
 static void sincos_degrees(double degrees, double *sine, double *cosine)

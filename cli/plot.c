@@ -5,9 +5,11 @@
 #include <brdf/info.h>
 #include <brdf/material.h>
 
+#include "angle.h"
 #include "brdflab/open.h"
 #include "brdflab/plot.h"
 #include "commands.h"
+#include "file_name.h"
 #include "measured.h"
 #include "options.h"
 #include "parse.h"
@@ -18,8 +20,6 @@ static const char summary[] =
     "Draw materials, such as roughconductor:material=Cu,alpha=0.2, side by side: a lit sphere, "
     "lobes,\nslices, albedo and the image over half and difference angle. A measured file (.binary "
     "or .bsdf)\nmay stand for a material.";
-
-static const double degree = 3.14159265358979323846 / 180.0;
 
 /* The next item of a list separated by commas; 0 at its end. */
 static int next_item(const char **list, char *item, size_t size)
@@ -76,13 +76,6 @@ static int read_angles(const struct numbers *degrees, struct lab_plot_settings *
     return OPTIONS_GO_ON;
 }
 
-/* The last part of a path. */
-static const char *base_of(const char *path)
-{
-    const char *slash = strrchr(path, '/');
-    return slash ? slash + 1 : path;
-}
-
 /* A material, and its caption: a file is called by its name, without its folder. */
 static brdf_status open_material(const char *text, int fill, struct brdf_bsdf **bsdf,
                                  struct lab_plot_material *material, struct brdf_error *error)
@@ -90,7 +83,7 @@ static brdf_status open_material(const char *text, int fill, struct brdf_bsdf **
     enum lab_format format = LAB_FORMAT_NONE;
     brdf_status status = lab_open_filled(text, fill, bsdf, &format, error);
     material->bsdf = *bsdf;
-    material->name = format == LAB_FORMAT_NONE ? text : base_of(text);
+    material->name = format == LAB_FORMAT_NONE ? text : file_name_of(text);
     return status;
 }
 

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "commands.h"
+#include "file_name.h"
 #include "progress.h"
 #include "say.h"
 #include "stop.h"
@@ -61,8 +62,7 @@ static int read_request(struct render_request *request, int argc, char **argv)
 /* The scene's name without folders and .xml, with .exr, in the current folder. */
 static void choose_output(struct render_request *request)
 {
-    const char *slash = strrchr(request->scene_path, '/');
-    const char *name = slash ? slash + 1 : request->scene_path;
+    const char *name = file_name_of(request->scene_path);
     size_t length = strlen(name);
     if (request->outputs.count) {
         return;

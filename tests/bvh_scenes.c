@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "angle.h"
 #include "kernels/scene.h"
 
 #define ALL 15
@@ -222,8 +223,8 @@ struct bvh_scene bvh_scene_random(const struct recipe *recipe, size_t rays)
 
 static void mesh_vertex(int n, int i, int j, float out[3])
 {
-    double theta = 3.14159265358979 * i / n;
-    double phi = 3.14159265358979 * (j % (2 * n)) / n;
+    double theta = pi * i / n;
+    double phi = pi * (j % (2 * n)) / n;
     double r = 1.0 + 0.05 * sin(20.0 * theta) * cos(23.0 * phi);
     out[0] = (float)(r * sin(theta) * cos(phi));
     out[1] = (float)(r * sin(theta) * sin(phi));

@@ -2,10 +2,9 @@
  * irradiance.c - see irradiance.h.
  */
 #include "irradiance.h"
+#include "angle.h"
 
 #include <math.h>
-
-#define PI 3.14159265358979323846
 
 static double dot(struct point a, struct point b)
 {
@@ -30,8 +29,8 @@ double disk_irradiance(struct point centre, struct point a, struct point b)
     enum { CORNERS = 4096 };
     struct point corner[CORNERS];
     for (int i = 0; i < CORNERS; ++i) {
-        double c = cos(2.0 * PI * i / CORNERS);
-        double s = sin(2.0 * PI * i / CORNERS);
+        double c = cos(2.0 * pi * i / CORNERS);
+        double s = sin(2.0 * pi * i / CORNERS);
         corner[i].x = centre.x + c * a.x + s * b.x;
         corner[i].y = centre.y + c * a.y + s * b.y;
         corner[i].z = centre.z + c * a.z + s * b.z;
@@ -42,7 +41,7 @@ double disk_irradiance(struct point centre, struct point a, struct point b)
 double sphere_irradiance(struct point centre, double radius)
 {
     double distance2 = dot(centre, centre);
-    return PI * radius * radius / distance2 * centre.y / sqrt(distance2);
+    return pi * radius * radius / distance2 * centre.y / sqrt(distance2);
 }
 
 double rectangle_irradiance(double half_x, double half_z, struct point centre)
@@ -58,8 +57,8 @@ double rectangle_irradiance(double half_x, double half_z, struct point centre)
    height - 1 on the poles, bilinear in between. */
 static double map_at(const struct brdfcl_image *map, struct point d)
 {
-    double x = atan2(d.x, -d.z) / (2.0 * PI) * MAP_WIDTH - 0.5;
-    double y = acos(fmax(-1.0, fmin(1.0, d.y))) / PI * (MAP_HEIGHT - 1);
+    double x = atan2(d.x, -d.z) / (2.0 * pi) * MAP_WIDTH - 0.5;
+    double y = acos(fmax(-1.0, fmin(1.0, d.y))) / pi * (MAP_HEIGHT - 1);
     int column = (int)floor(x);
     int row = (int)fmin(floor(y), MAP_HEIGHT - 2);
     double sum = 0.0;
@@ -77,8 +76,8 @@ static double map_at(const struct brdfcl_image *map, struct point d)
 static struct point turned(struct point v, double degrees)
 {
     const struct point axis = {0.48, 0.6, 0.64};
-    double c = cos(degrees * PI / 180.0);
-    double s = sin(degrees * PI / 180.0);
+    double c = cos(degrees * pi / 180.0);
+    double s = sin(degrees * pi / 180.0);
     double along = dot(axis, v) * (1.0 - c);
     struct point out = {c * v.x + s * (axis.y * v.z - axis.z * v.y) + along * axis.x,
                         c * v.y + s * (axis.z * v.x - axis.x * v.z) + along * axis.y,
@@ -94,10 +93,10 @@ double map_irradiance(const struct brdfcl_image *map, double degrees)
         double cos2 = (j + 0.5) / STEPS; /* uniform in cos^2: each counts the same */
         double out = sqrt(1.0 - cos2);
         for (int i = 0; i < 2 * STEPS; ++i) {
-            double phi = PI * (i + 0.5) / STEPS;
+            double phi = pi * (i + 0.5) / STEPS;
             struct point world = {out * cos(phi), sqrt(cos2), out * sin(phi)};
             sum += map_at(map, turned(world, -degrees));
         }
     }
-    return sum * PI / (2.0 * STEPS * STEPS);
+    return sum * pi / (2.0 * STEPS * STEPS);
 }

@@ -11,14 +11,14 @@
 
 #include <brdf/merl.h>
 
-#define TEST_PI 3.14159265358979323846
+#include "angle.h"
 
 /* A gray Lambertian surface of the albedo at `data`. */
 static inline void test_lambert(const double wo[3], const double wi[3], double rgb[3], void *data)
 {
     (void)wo;
     (void)wi;
-    rgb[0] = rgb[1] = rgb[2] = *(const double *)data / TEST_PI;
+    rgb[0] = rgb[1] = rgb[2] = *(const double *)data / pi;
 }
 
 /*
@@ -36,7 +36,7 @@ static inline void test_glossy(const double wo[3], const double wi[3], double rg
     length = sqrt(length);
     double h_cos = h[2] / length;
     double bottom = h_cos * h_cos * (alpha2 - 1.0) + 1.0;
-    double d = alpha2 / (TEST_PI * bottom * bottom);
+    double d = alpha2 / (pi * bottom * bottom);
     const double cosines[2] = {wo[2], wi[2]};
     for (int i = 0; i < 2; ++i) {
         double c = cosines[i];
@@ -46,7 +46,7 @@ static inline void test_glossy(const double wo[3], const double wi[3], double rg
     const double normal[3] = {0.9, 0.6, 0.2}, base[3] = {0.0, 0.01, 0.05};
     for (int c = 0; c < 3; ++c) {
         double fresnel = normal[c] + (1.0 - normal[c]) * grazing;
-        rgb[c] = d * masking * fresnel / (4.0 * wo[2] * wi[2]) + base[c] / TEST_PI;
+        rgb[c] = d * masking * fresnel / (4.0 * wo[2] * wi[2]) + base[c] / pi;
     }
 }
 

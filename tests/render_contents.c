@@ -1,11 +1,10 @@
 /* render_contents.c - the two scenes. */
 #include "render_contents.h"
 
+#include "angle.h"
 #include "scene_files.h"
 
 #include <math.h>
-
-#define PI 3.14159265358979323846
 
 const char *const box_contents =
     "<emitter type='constant'><rgb name='radiance' value='0.1, 0.12, 0.2'/></emitter>\n"
@@ -124,8 +123,8 @@ static void write_ball(int rings)
     assert_non_null(text);
 #define PUT(...) (used += (size_t)snprintf(text + used, size - used, __VA_ARGS__))
     for (int i = 0; i < (rings + 1) * round; ++i) {
-        double theta = PI * (0.02 + 0.96 * (i / round) / rings);
-        double phi = PI * (i % round) / rings;
+        double theta = pi * (0.02 + 0.96 * (i / round) / rings);
+        double phi = pi * (i % round) / rings;
         double r = 0.8 + 0.1 * sin(5.0 * phi) * sin(theta);
         double n[3] = {sin(theta) * cos(phi), cos(theta), -sin(theta) * sin(phi)};
         PUT("v %.7g %.7g %.7g\n", r * n[0], r * n[1] + 0.9, r * n[2]);

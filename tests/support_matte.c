@@ -11,11 +11,10 @@
 
 #include <cmocka.h>
 
+#include "angle.h"
 #include "support_bsdf.h"
 #include "support_matte.h"
 #include "support_models.h"
-
-static const double pi = 3.14159265358979323846;
 
 /* The midpoint rule over cosines from low to high, and half a turn in two pieces: Oren-Nayar has
    creases at a quarter turn and where both cosines are equal. */

@@ -14,6 +14,7 @@
 
 #include <brdf/math.h>
 
+#include "angle.h"
 #include "math_functions.h"
 
 #define COUNT 2000000u
@@ -280,7 +281,6 @@ static void rounding_is_to_the_nearest_even_and_floor_is_floor(void **state)
 
 static void constants_are_the_nearest_floats(void **state)
 {
-    const double pi = 3.14159265358979323846;
     (void)state;
     assert_true(BRDF_PI == (float)pi);
     assert_true(BRDF_TWO_PI == (float)(2.0 * pi));

@@ -12,9 +12,8 @@
 
 #include <brdf/material.h>
 
+#include "angle.h"
 #include "support_bsdf.h"
-
-static const double pi = 3.14159265358979323846;
 
 struct abc {
     double diffuse, a, b, c, ior;

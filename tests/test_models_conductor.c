@@ -15,6 +15,7 @@
 
 #include <brdf/facets.h>
 
+#include "angle.h"
 #include "random_vectors.h"
 #include "support_bsdf.h"
 #include "support_energy.h"
@@ -120,7 +121,7 @@ static double rational_over_exact(brdf_vec3 w)
     double s = 1.0 / (ALPHA * tangent(w));
     double rational =
         s < 1.6 ? (3.535 * s + 2.181 * s * s) / (1.0 + 2.276 * s + 2.577 * s * s) : 1.0;
-    double exact = 2.0 / (1.0 + erf(s) + exp(-s * s) / (s * sqrt(3.14159265358979323846)));
+    double exact = 2.0 / (1.0 + erf(s) + exp(-s * s) / (s * sqrt(pi)));
     return fmin(rational, 1.0) / exact;
 }
 
@@ -156,7 +157,6 @@ static void sampling_does_not_change_f(void **state)
 static double projected_area(int distribution, float alpha_u, float alpha_v)
 {
     enum { RINGS = 2000, SPOKES = 64 };
-    const double pi = 3.14159265358979323846;
     double sum = 0.0;
     for (int i = 0; i < RINGS; ++i) {
         double v = (i + 0.5) / RINGS;

@@ -11,10 +11,9 @@
 
 #include <cmocka.h>
 
+#include "angle.h"
 #include "support_bsdf.h"
 #include "support_models.h"
-
-static const double pi = 3.14159265358979323846;
 
 /* Angles of a pair of directions, in double precision, as papers have them. */
 struct angles {

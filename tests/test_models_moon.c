@@ -16,11 +16,10 @@
 
 #include <brdf/warp.h>
 
+#include "angle.h"
 #include "support_bsdf.h"
 #include "support_matte.h"
 #include "support_models.h"
-
-static const double pi = 3.14159265358979323846;
 
 /* w / 2 (1 - mu ln(1 + 1 / mu)). */
 static void lommel_seeliger_albedos(void **state)

@@ -15,11 +15,10 @@
 
 #include <brdf/warp.h>
 
+#include "angle.h"
 #include "support_bsdf.h"
 #include "support_matte.h"
 #include "support_models.h"
-
-static const double pi = 3.14159265358979323846;
 
 static void oren_nayar_of_1994(void **state)
 {

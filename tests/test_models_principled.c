@@ -13,12 +13,11 @@
 
 #include <brdf/disney.h>
 
+#include "angle.h"
 #include "check_cases.h"
 #include "support_bsdf.h"
 #include "support_energy.h"
 #include "support_models.h"
-
-static const double pi = 3.14159265358979323846;
 
 static brdf_vec3 direction_of(const int degrees[2])
 {

@@ -13,13 +13,12 @@
 
 #include <brdf/fiber.h>
 
+#include "angle.h"
 #include "check_cases.h"
 #include "random_vectors.h"
 #include "support_bsdf.h"
 #include "support_energy.h"
 #include "support_models.h"
-
-static const double pi = 3.14159265358979323846;
 
 static int differs(double a, double b, double tolerance)
 {

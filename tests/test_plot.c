@@ -10,13 +10,12 @@
 
 #include <cmocka.h>
 
+#include "angle.h"
 #include "curve.h"
 #include "lit_sphere.h"
 #include "polar.h"
 #include "section.h"
 #include "support_bsdf.h"
-
-static const double pi = 3.14159265358979323846;
 
 static void assert_close(double value, double expected, double tolerance)
 {

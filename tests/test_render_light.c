@@ -5,12 +5,12 @@
  * same number. The lights fill anything between a dot and the hemisphere: small ones are found by
  * next-event estimation, large ones by sampling the floor's reflection as well.
  */
+#include "angle.h"
 #include "irradiance.h"
 #include "render_scenes.h"
 
 #include <math.h>
 
-#define PI 3.14159265358979323846
 #define ALBEDO 0.6
 #define FLOOR                                                                                      \
     "<shape type=\"rectangle\"><transform name=\"to_world\"><scale value=\"9\"/>"                  \
@@ -25,7 +25,7 @@ static void check_floor(const char *name, const char *lights, double irradiance,
 {
     char content[8192];
     snprintf(content, sizeof content, "%s%s", FLOOR, lights);
-    assert_estimate(name, render_estimate(&at_origin, content), ALBEDO / PI * irradiance, slack,
+    assert_estimate(name, render_estimate(&at_origin, content), ALBEDO / pi * irradiance, slack,
                     4e-3);
 }
 
@@ -57,13 +57,13 @@ static void rectangles(void **state)
 
 static void disks(void **state)
 {
-    const double c = cos(70.0 * PI / 180.0);
-    const double s = sin(70.0 * PI / 180.0);
+    const double c = cos(70.0 * pi / 180.0);
+    const double s = sin(70.0 * pi / 180.0);
     const struct point centre = {-0.8, 1.5, 0.4};
     const struct point a = {0.5, 0.0, 0.0};
     const struct point b = {0.0, 0.8 * c, 0.8 * s};
     (void)state;
-    check_floor("disk overhead", DISK(0, 1, 0, 0.5, 0.5, "2"), 2.0 * PI * 0.25 / 1.25, 2e-4);
+    check_floor("disk overhead", DISK(0, 1, 0, 0.5, 0.5, "2"), 2.0 * pi * 0.25 / 1.25, 2e-4);
     check_floor("tilted ellipse",
                 "<shape type=\"disk\"><transform name=\"to_world\"><scale x=\"0.5\" y=\"0.8\"/>"
                 "<rotate x=\"1\" angle=\"70\"/>"
@@ -83,7 +83,7 @@ static void spheres(void **state)
     check_floor("from inside",
                 "<shape type=\"sphere\">" FLIPPED
                 "<float name=\"radius\" value=\"30\"/>" EMITTER("0.7"),
-                0.7 * PI, 2e-4);
+                0.7 * pi, 2e-4);
 }
 
 static void meshes(void **state)
@@ -194,7 +194,7 @@ static void environment_and_lights_add_up(void **state)
     check_floor("constant and sphere",
                 BALL(0.2, 2, 0, 0.4, "5") "<emitter type=\"constant\">"
                                           "<rgb name=\"radiance\" value=\"0.3\"/></emitter>",
-                0.3 * PI + 4.7 * sphere_irradiance((struct point){0.2, 2.0, 0.0}, 0.4), 3e-4);
+                0.3 * pi + 4.7 * sphere_irradiance((struct point){0.2, 2.0, 0.0}, 0.4), 3e-4);
 }
 
 int main(void)

@@ -9,11 +9,10 @@
 
 #include <cmocka.h>
 
+#include "angle.h"
 #include "check_random.h"
 #include "sphere.h"
 #include "statistics.h"
-
-static const double pi = 3.14159265358979323846;
 
 static void assert_close(double value, double expected, double tolerance)
 {

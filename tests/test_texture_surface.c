@@ -2,11 +2,11 @@
  * test_texture_surface.c - texture coordinates of every shape, and what becomes of a parameter that
  * a texture sets.
  */
+#include "angle.h"
 #include "texture_stage.h"
 
 #include <math.h>
 
-#define PI 3.14159265358979323846
 #define COUNT(array) (sizeof(array) / sizeof((array)[0]))
 
 /* --- Texture coordinates --- */
@@ -53,11 +53,11 @@ static void planar_coordinates(void **state)
     stage_open(&rectangle, "<shape type='rectangle'>" TEXTURED "</shape>");
     stage_open(&disk, "<shape type='disk'>" TEXTURED "</shape>");
     for (int i = 0; i < 24; ++i) {
-        double angle = 2.0 * PI * (i + 0.3) / 24.0;
+        double angle = 2.0 * pi * (i + 0.3) / 24.0;
         double to[3] = {0.7 * cos(angle), 0.7 * sin(angle), 0.0};
         const double from[3] = {0.1, -0.2, 3.0};
         assert_uv("rectangle", meet(&rectangle, from, to), 0.5 + 0.5 * to[0], 0.5 + 0.5 * to[1]);
-        assert_uv("disk", meet(&disk, from, to), 0.7, angle / (2.0 * PI));
+        assert_uv("disk", meet(&disk, from, to), 0.7, angle / (2.0 * pi));
     }
     stage_close(&rectangle);
     stage_close(&disk);
@@ -82,8 +82,8 @@ static void spherical_coordinates(void **state)
             double turns = (i % 20 + 0.3) / 20.0;
             double polar = (i / 20 + 0.4) / 10.0;
             double side = k < 2 ? 1.0 : -1.0;
-            double out[3] = {cos(2.0 * PI * turns) * sin(PI * polar),
-                             sin(2.0 * PI * turns) * sin(PI * polar), side * cos(PI * polar)};
+            double out[3] = {cos(2.0 * pi * turns) * sin(pi * polar),
+                             sin(2.0 * pi * turns) * sin(pi * polar), side * cos(pi * polar)};
             double from[3] = {2.0 * out[0], 2.0 * out[1], 2.0 * out[2]};
             assert_uv(shapes[k], meet(&stage, from, out), turns, polar);
         }

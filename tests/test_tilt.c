@@ -4,11 +4,10 @@
  * Under a sky of 1, a diffuse card whose normal is tilted by a constant angle has a radiance that
  * an integral over the directions above both planes gives.
  */
+#include "angle.h"
 #include "render_scenes.h"
 
 #include <math.h>
-
-#define PI 3.14159265358979323846
 
 #define SKY "<emitter type='constant'><rgb name='radiance' value='1'/></emitter>\n"
 #define GRAY(value) "<bsdf type='diffuse'><rgb name='reflectance' value='" value "'/></bsdf>"
@@ -61,7 +60,7 @@ static double expected(double angle, int shadow)
         double r = sqrt(1.0 - z * z);
         double factor = 2.0 / (1.0 + sqrt(1.0 + alpha2 * r * r / (z * z)));
         for (int k = 0; k < steps; ++k) {
-            double x = r * cos(2.0 * PI * (k + 0.5) / steps);
+            double x = r * cos(2.0 * pi * (k + 0.5) / steps);
             sum += factor * fmax(x * sin(angle) + z * cos(angle), 0.0);
         }
     }

@@ -2,12 +2,12 @@
  * test_woodgrain.c - the solid texture of wood: its noise, its rings where they have a closed form,
  * fibres that run along the pattern, and which output sets what.
  */
+#include "angle.h"
 #include "scene_loader.h"
 #include "texture_stage.h"
 
 #include <math.h>
 
-#define PI 3.14159265358979323846
 #define COUNT(array) (sizeof(array) / sizeof((array)[0]))
 
 /* A number in [0, 1) for each i, the same everywhere. */
@@ -115,7 +115,7 @@ static void fibers_follow_the_pattern(void **state)
         brdf_vec3 axis = pt_texture_find(stage.w, 0, place_of(p)).grain.axis;
         along += change_along(&stage, p, axis);
         trunk += change_along(&stage, p, brdf_vec3_make(0.0f, 0.0f, 1.0f));
-        steepest = fmax(steepest, acos(fmin((double)axis.z, 1.0)) * 180.0 / PI);
+        steepest = fmax(steepest, acos(fmin((double)axis.z, 1.0)) * 180.0 / pi);
         assert_float_equal(brdf_dot(axis, axis), 1.0f, 1e-5f);
     }
     assert_true(along < 0.4 * trunk);

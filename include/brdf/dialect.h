@@ -50,11 +50,6 @@ static inline brdf_int brdf_pick_int(brdf_mask mask, brdf_int yes, brdf_int no)
     return mask ? yes : no;
 }
 
-static inline brdf_uint brdf_pick_uint(brdf_mask mask, brdf_uint yes, brdf_uint no)
-{
-    return mask ? yes : no;
-}
-
 /*
  * The smaller and the larger of two, decided by one comparison, so that every compiler must agree:
  * where the comparison is false (equal zeros of different sign, a NaN) the first argument is kept.

@@ -12,6 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "angle.h"
 #include "brdf/model/merl.h"
 
 enum {
@@ -19,8 +20,6 @@ enum {
     CELLS = BRDF_MERL_THETA_H * BRDF_MERL_PHI_H,
     CELL_POINTS = POINTS * POINTS
 };
-
-static const double pi = 3.14159265358979323846;
 
 /* The share of the cosine lobe never falls below this, so that the density is positive above. */
 static const double cosine_least = 0.05;

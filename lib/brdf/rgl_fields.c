@@ -1,4 +1,5 @@
 /* rgl_fields.c - the fields of an RGL file: names, types, sizes, and what their values may be. */
+#include "angle.h"
 #include "rgl_format.h"
 
 #include <math.h>
@@ -88,7 +89,6 @@ brdf_status brdf_rgl_reserve(struct brdf_rgl_file *file, int spectral, struct br
 
 const char *brdf_rgl_value_fault(enum brdf_rgl_field field, double value, double previous)
 {
-    const double pi = 3.14159265358979323846;
     const double slack = 1e-3; /* angles are rounded, and one end of theta_i may lie just beyond */
     if (value != value) {
         return "is not a number";

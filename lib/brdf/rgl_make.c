@@ -1,6 +1,7 @@
 /*
  * rgl_make.c - RGL files out of functions: the same steps as from measurements.
  */
+#include "angle.h"
 #include "rgl_format.h"
 
 #include <math.h>
@@ -9,8 +10,6 @@
 
 #include "rgl_making.h"
 #include "rgl_normals.h"
-
-static const double pi = 3.14159265358979323846;
 
 static brdf_status grid_check(struct brdf_rgl_grid *grid, struct brdf_error *error)
 {

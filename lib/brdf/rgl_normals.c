@@ -8,12 +8,11 @@
  * normals that w sees, so D is an eigenvector of a positive operator.
  */
 #include "rgl_normals.h"
+#include "angle.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-static const double pi = 3.14159265358979323846;
 
 enum { ITERATIONS = 8 };
 

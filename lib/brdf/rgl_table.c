@@ -10,10 +10,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "angle.h"
 #include "brdf/model/measured.h"
 #include "rgl_format.h"
-
-static const double pi = 3.14159265358979323846;
 
 /* A file with one theta_i holds for all of them: the table has it twice. */
 static int theta_slices(const struct brdf_rgl_file *file)

@@ -2,6 +2,7 @@
  * rgl_values.c - visible normals of a distribution, and a function's values where the warp by them
  * leads.
  */
+#include "angle.h"
 #include "rgl_making.h"
 
 #include <math.h>
@@ -11,8 +12,6 @@
 #include "luminance.h"
 #include "rgl_normals.h"
 #include "rgl_table.h"
-
-static const double pi = 3.14159265358979323846;
 
 /* The direction a little further up, if it is too close to the horizon. */
 static void lift(double w[3])

@@ -10,6 +10,7 @@
  * together where values are interpolated between views (they were tried: albedos came out wrong by
  * factors).
  */
+#include "angle.h"
 #include "rgl_making.h"
 
 #include <math.h>
@@ -17,8 +18,6 @@
 #include <string.h>
 
 #include "rgl_normals.h"
-
-static const double pi = 3.14159265358979323846;
 
 enum {
     RING = 32, /* azimuths of a normal, over which an isotropic distribution is averaged */

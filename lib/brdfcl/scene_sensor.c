@@ -2,6 +2,7 @@
  * scene_sensor.c - <sensor>: a perspective camera, with its film and sampler.
  */
 #define _POSIX_C_SOURCE 200809L
+#include "angle.h"
 #include "scene_loader.h"
 
 #include <float.h>
@@ -38,8 +39,7 @@ static brdf_status sensor_focal_length(const struct scene_loader *loader,
     if (!(millimetres > 0.0)) {
         return scene_fail(loader, node, BRDF_OUT_OF_RANGE, "a focal length is more than 0");
     }
-    *fov = (float)(2.0 * atan(sqrt(36.0 * 36.0 + 24.0 * 24.0) / (2.0 * millimetres)) * 180.0 /
-                   3.14159265358979323846);
+    *fov = (float)(2.0 * atan(sqrt(36.0 * 36.0 + 24.0 * 24.0) / (2.0 * millimetres)) * 180.0 / pi);
     return BRDF_OK;
 }
 

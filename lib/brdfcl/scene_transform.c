@@ -1,13 +1,12 @@
 /*
  * scene_transform.c - <transform>: operations in the order of the file, the first applied first.
  */
+#include "angle.h"
 #include "scene_loader.h"
 
 #include <float.h>
 #include <math.h>
 #include <string.h>
-
-static const double transform_pi = 3.14159265358979323846;
 
 static double transform_normalize(double v[3])
 {
@@ -57,7 +56,7 @@ static double transform_sine(double degrees)
     if (fabs(turn) == 90.0 || fabs(turn) == 270.0) {
         return (turn == 90.0) || (turn == -270.0) ? 1.0 : -1.0;
     }
-    return sin(turn * transform_pi / 180.0);
+    return sin(turn * pi / 180.0);
 }
 
 /* Rodrigues' formula; counter-clockwise when looking against the axis, in degrees. */

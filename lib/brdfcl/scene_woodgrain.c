@@ -2,6 +2,7 @@
  * scene_woodgrain.c - <texture type="woodgrain">: its parameters, and which of its outputs sets
  * what.
  */
+#include "angle.h"
 #include "scene_loader.h"
 
 #include <float.h>
@@ -9,8 +10,6 @@
 #include <string.h>
 
 #define COUNT(array) (sizeof(array) / sizeof((array)[0]))
-
-static const double woodgrain_pi = 3.14159265358979323846;
 
 /* enum pt_grain_output, and the parameters that are set by it if the file does not say. */
 static const struct woodgrain_output {
@@ -112,7 +111,7 @@ brdf_status scene_woodgrain_read(struct scene_loader *loader, struct xml_node *n
     if (!status) {
         status = find_output(loader, &slots[1], texture);
     }
-    sizes[PT_GRAIN_FIGURE] = tan(sizes[PT_GRAIN_FIGURE] * woodgrain_pi / 180.0);
+    sizes[PT_GRAIN_FIGURE] = tan(sizes[PT_GRAIN_FIGURE] * pi / 180.0);
     record->kind = PT_TEXTURE_WOODGRAIN;
     record->seed = seed;
     put_numbers(record->sizes, sizes, COUNT(sizes));

@@ -3,14 +3,13 @@
  */
 #include <math.h>
 
+#include "angle.h"
 #include "world.h"
-
-#define PI 3.14159265358979323846
 
 void world_camera(const struct brdfcl_scene *scene, struct pt_settings *settings)
 {
     double aspect = (double)scene->width / (double)scene->height;
-    double half = tan(0.5 * (double)scene->fov * PI / 180.0);
+    double half = tan(0.5 * (double)scene->fov * pi / 180.0);
     int along_x = 0;
     switch (scene->fov_axis) {
     case FOV_X:

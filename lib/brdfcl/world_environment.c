@@ -5,9 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "angle.h"
 #include "world.h"
-
-#define PI 3.14159265358979323846
 
 static double pixel_luminance(const struct brdfcl_image *image, int x, int y)
 {
@@ -24,7 +23,7 @@ static double cell_weight(const struct brdfcl_image *image, int x, int y)
 {
     double mean = 0.25 * (pixel_luminance(image, x, y) + pixel_luminance(image, x + 1, y) +
                           pixel_luminance(image, x, y + 1) + pixel_luminance(image, x + 1, y + 1));
-    return mean * sin(PI * (y + 0.5) / (image->height - 1));
+    return mean * sin(pi * (y + 0.5) / (image->height - 1));
 }
 
 static brdf_status append_distribution(const struct brdfcl_image *image,

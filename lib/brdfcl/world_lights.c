@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "angle.h"
 #include "world.h"
 
 #include "kernels/extend.h"
@@ -14,7 +15,6 @@
 
 static double area_of(const float *primitive)
 {
-    const double pi = 3.14159265358979323846;
     const float *a = primitive + PT_E1;
     const float *b = primitive + PT_E2;
     double x = (double)a[1] * (double)b[2] - (double)a[2] * (double)b[1];

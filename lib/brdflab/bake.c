@@ -7,9 +7,8 @@
 #include <brdf/model.h>
 #include <brdf/warp.h>
 
+#include "angle.h"
 #include "lattice.h"
-
-static const double pi = 3.14159265358979323846;
 
 enum { PROBES = 512 };
 

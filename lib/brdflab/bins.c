@@ -3,6 +3,7 @@
  */
 #include "bins.h"
 
+#include "angle.h"
 #include "logrelative.h"
 
 struct lab_bin lab_bin_of(const struct brdf_merl_file *file, size_t number)
@@ -22,7 +23,7 @@ size_t lab_bin_number(const struct brdf_merl_file *file, struct lab_bin bin)
 double lab_bin_theta_h(const struct brdf_merl_file *file, int theta_h)
 {
     double root = (theta_h + 0.5) / file->theta_h;
-    return 0.5 * 3.14159265358979323846 * root * root;
+    return 0.5 * pi * root * root;
 }
 
 int lab_bin_directions(struct lab_bin bin, double wo[3], double wi[3])

@@ -3,11 +3,10 @@
 
 #include <math.h>
 
+#include "angle.h"
 #include "draw.h"
 #include "lattice.h"
 #include "tabulated.h"
-
-static const double pi = 3.14159265358979323846;
 
 enum { INCIDENCES = 9, POINTS = 1 << 14 };
 

@@ -9,6 +9,7 @@
 
 #include <brdf/model.h>
 
+#include "angle.h"
 #include "lattice.h"
 #include "pilot.h"
 #include "sphere.h"
@@ -32,7 +33,7 @@ struct view {
 
 brdf_vec3 lab_view_direction(int number)
 {
-    double theta = lab_view_angle[number] * 3.14159265358979323846 / 180.0;
+    double theta = lab_view_angle[number] * pi / 180.0;
     double phi = 0.4 + number;
     double radius = lab_view_angle[number] == 180.0 ? 0.0 : sin(theta);
     return brdf_normalize(
@@ -116,7 +117,7 @@ static brdf_vec3 worst_cell(const struct lab_sphere *sphere, const struct lab_bi
     }
     const struct lab_sphere_node *node = &sphere->nodes[worst];
     double q = 0.5 * (node->low[0] + node->high[0]);
-    double phi = 3.14159265358979323846 * (node->low[1] + node->high[1]);
+    double phi = pi * (node->low[1] + node->high[1]);
     double radius = 2.0 * sqrt(q * (1.0 - q));
     return brdf_vec3_make((float)(radius * cos(phi)), (float)(radius * sin(phi)),
                           (float)(1.0 - 2.0 * q));

@@ -1,9 +1,8 @@
 /* draw.c - see draw.h. */
 #include "draw.h"
+#include "angle.h"
 
 #include <brdf/warp.h>
-
-static const double pi = 3.14159265358979323846;
 
 struct lab_draw lab_draw_make(const struct brdf_bsdf *bsdf, brdf_vec3 wo, size_t i, brdf_vec3 u)
 {

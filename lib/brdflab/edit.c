@@ -4,11 +4,10 @@
 #include <math.h>
 #include <string.h>
 
+#include "angle.h"
 #include "bins.h"
 #include "oklab.h"
 #include "separate.h"
-
-static const double pi = 3.14159265358979323846;
 
 struct editor {
     const struct lab_edit *edit;

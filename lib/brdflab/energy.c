@@ -10,6 +10,7 @@
 #include <brdf/model.h>
 
 #include "albedo.h"
+#include "angle.h"
 #include "lattice.h"
 #include "pilot.h"
 
@@ -65,7 +66,7 @@ brdf_status lab_energy_integrated(const struct brdf_bsdf *bsdf, brdf_vec3 wo, in
 static double angle_of(brdf_vec3 wo)
 {
     double sine = sqrt((double)wo.x * (double)wo.x + (double)wo.y * (double)wo.y);
-    return atan2(sine, (double)wo.z) * 180.0 / 3.14159265358979323846;
+    return atan2(sine, (double)wo.z) * 180.0 / pi;
 }
 
 /* Sampling against the integral. */

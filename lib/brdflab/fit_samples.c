@@ -11,11 +11,9 @@
 #include <brdf/merl.h>
 
 #include "fit_samples.h"
+#include "angle.h"
 
 enum { THETA_H = 48, PHI_H = 8, THETA_D = 16, PHI_D = 12, ARRAYS = 15 };
-
-static const double pi = 3.14159265358979323846;
-static const double degree = 3.14159265358979323846 / 180.0;
 
 struct pair {
     double wo[3];

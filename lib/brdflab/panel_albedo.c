@@ -3,9 +3,8 @@
 #include <stdio.h>
 
 #include "albedo.h"
+#include "angle.h"
 #include "plot_panels.h"
-
-static const double degree = 3.14159265358979323846 / 180.0;
 
 enum { STEPS = 90, SAMPLES = 16384 };
 

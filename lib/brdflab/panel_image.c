@@ -5,9 +5,8 @@
 #include <brdf/merl.h>
 #include <brdf/model.h>
 
+#include "angle.h"
 #include "plot_panels.h"
-
-static const double pi = 3.14159265358979323846;
 
 /* f where phi_d = -90 degrees: wo and wi lie theta_d to either side of h, across the plane that h
    is tilted in, and so are above the surface at every pair of angles. */

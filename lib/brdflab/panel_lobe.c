@@ -2,10 +2,9 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "angle.h"
 #include "plot_panels.h"
 #include "polar.h"
-
-static const double pi = 3.14159265358979323846;
 
 struct lobe {
     const struct polar *polar;

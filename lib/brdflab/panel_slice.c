@@ -1,9 +1,8 @@
 /* panel_slice.c - f over the angle at which light leaves, logarithmic. */
 #include <math.h>
 
+#include "angle.h"
 #include "plot_panels.h"
-
-static const double degree = 3.14159265358979323846 / 180.0;
 
 struct slice {
     const struct plot_axes *axes;

@@ -2,10 +2,9 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "angle.h"
 #include "lit_sphere.h"
 #include "plot_panels.h"
-
-static const double pi = 3.14159265358979323846;
 
 brdf_status plot_panel_sphere(struct plot_canvas *canvas, struct plot_box cell,
                               const struct plot_job *job, int material, struct brdf_error *error)

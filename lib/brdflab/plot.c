@@ -5,11 +5,10 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "angle.h"
 #include "plot_file.h"
 #include "plot_layout.h"
 #include "plot_panels.h"
-
-static const double degree = 3.14159265358979323846 / 180.0;
 
 static const struct panel {
     const char *name;

@@ -1,10 +1,9 @@
 /* plot_canvas.c - colours, lines and pixels. */
 #include "plot_canvas.h"
+#include "angle.h"
 
 #include <math.h>
 #include <stdint.h>
-
-static const double pi = 3.14159265358979323846;
 
 struct plot_box plot_box_within(struct plot_box box, double left, double top, double right,
                                 double bottom)

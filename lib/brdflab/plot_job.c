@@ -2,9 +2,8 @@
 #include <math.h>
 
 #include "albedo.h"
+#include "angle.h"
 #include "plot_panels.h"
-
-static const double pi = 3.14159265358979323846;
 
 enum { SLICE_DECADES = 6, LOBE_DECADES = 5 };
 

@@ -5,9 +5,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "angle.h"
 #include "plot_panels.h"
-
-static const double pi = 3.14159265358979323846;
 
 struct polar polar_within(struct plot_box cell, int full, struct plot_scale scale)
 {

@@ -6,9 +6,8 @@
 
 #include <brdf/model.h>
 
+#include "angle.h"
 #include "lattice.h"
-
-static const double pi = 3.14159265358979323846;
 
 double lab_channel_of(enum lab_channel channel, brdf_rgb color)
 {

@@ -2,6 +2,7 @@
  * sphere.c - cells of the sphere: cutting, finding.
  */
 #include "sphere.h"
+#include "angle.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -13,8 +14,6 @@ enum {
     PILOTS = 8, /* in a cell, at most */
     CAPACITY = 4096
 };
-
-static const double pi = 3.14159265358979323846;
 
 static struct lab_sphere_point point_of(brdf_vec3 w)
 {

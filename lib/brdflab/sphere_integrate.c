@@ -1,11 +1,10 @@
 /*
  * sphere_integrate.c - adaptive quadrature over the cells of the sphere.
  */
+#include "angle.h"
 #include "sphere.h"
 
 #include <math.h>
-
-static const double pi = 3.14159265358979323846;
 
 struct integrand {
     lab_sphere_function *f;

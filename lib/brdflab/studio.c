@@ -1,9 +1,8 @@
 /* studio.c - two softboxes, sky and ground. */
 #include "studio.h"
+#include "angle.h"
 
 #include <math.h>
-
-static const double pi = 3.14159265358979323846;
 
 static struct studio_lamp lamp_make(float x, float y, float z, double degrees, double radiance)
 {

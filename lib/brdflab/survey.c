@@ -7,10 +7,9 @@
 #include <brdf/warp.h>
 
 #include "albedo.h"
+#include "angle.h"
 #include "draw.h"
 #include "lattice.h"
-
-static const double pi = 3.14159265358979323846;
 
 const double lab_survey_angles[LAB_SURVEY_ANGLES] = {0, 15, 30, 45, 60, 70, 80, 85, 88};
 

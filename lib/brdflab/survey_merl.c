@@ -6,14 +6,13 @@
  * an independent error sigma, and almost nothing where f is smooth. It is taken relative to the
  * mean of the four.
  */
+#include "angle.h"
 #include "survey.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "bins.h"
-
-static const double pi = 3.14159265358979323846;
 
 static const double grazing = 60.0; /* degrees; where the noise is counted apart */
 

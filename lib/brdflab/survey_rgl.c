@@ -1,12 +1,11 @@
 /* survey_rgl.c - the values of an RGL file counted. */
+#include "angle.h"
 #include "survey.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "lattice.h"
-
-static const double pi = 3.14159265358979323846;
 
 enum { POINTS = 1024 }; /* of each view */
 
