@@ -44,6 +44,44 @@ static void warps_are_inverted(void **state)
     }
 }
 
+/* Of a map that is its own mirror image half is kept; the same numbers come out of all of it. */
+static void half_of_a_mirrored_map_is_enough(void **state)
+{
+    (void)state;
+    struct brdfcl_random random = {3};
+    struct brdf_rgl_file file = rgl_test_make(GLOSSY, NULL);
+    float *half, *all;
+    size_t half_words, all_words;
+    assert_int_equal(brdf_rgl_table_build(&file, &half, &half_words, NULL), BRDF_OK);
+    for (int i = 0; i < file.vndf_columns; ++i) {
+        file.vndf[i] *= 1.00002f; /* of one row, the others weigh as much as before */
+    }
+    assert_int_equal(brdf_rgl_table_build(&file, &all, &all_words, NULL), BRDF_OK);
+    struct brdf_measured_layout a = brdf_measured_layout_of(half);
+    struct brdf_measured_layout b = brdf_measured_layout_of(all);
+    assert_true(a.vndf.mirrored && !b.vndf.mirrored && half_words < all_words);
+    for (int i = 0; i < 100000; ++i) {
+        brdf_vec3 u = random_cube(&random);
+        struct brdf_slices slices = {(int)(u.z * (float)(a.thetas - 1)), u.x, 0.0f, 0};
+        struct brdf_point there = brdf_map_sample(a.vndf, slices, u.x, u.y, half);
+        struct brdf_point also = brdf_map_sample(b.vndf, slices, u.x, u.y, all);
+        assert_float_equal(there.y, also.y, 1e-5f);
+        if (there.pdf > 0.05f) {
+            assert_float_equal(there.x, also.x, 1e-4f);
+        }
+        struct brdf_point back = brdf_map_invert(a.vndf, slices, u.x, u.y, half);
+        struct brdf_point too = brdf_map_invert(b.vndf, slices, u.x, u.y, all);
+        float density = brdf_map_density(a.vndf, slices, u.x, u.y, half);
+        assert_float_equal(back.x, too.x, 5e-5f);
+        assert_float_equal(back.y, too.y, 1e-5f);
+        assert_true(fabsf(back.pdf - too.pdf) <= 1e-4f * too.pdf + 1e-6f);
+        assert_true(density == back.pdf);
+    }
+    brdf_rgl_free(&file);
+    free(half);
+    free(all);
+}
+
 /* The generic tests do this for an isotropic file. */
 static void samples_have_the_density_of_pdf(void **state)
 {
@@ -150,6 +188,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(warps_are_inverted),
+        cmocka_unit_test(half_of_a_mirrored_map_is_enough),
         cmocka_unit_test(samples_have_the_density_of_pdf),
         cmocka_unit_test(samples_agree_with_eval_and_pdf),
         cmocka_unit_test(the_mirror_direction_has_a_density),

@@ -35,6 +35,7 @@ struct brdf_slices {
 /* Lines of the same length; one for all lanes. */
 struct brdf_lines {
     int nodes;  /* of each, >= 2 */
+    int cells;  /* between them on a length of 1: nodes - 1, or more if they cover a part of it */
     int thetas; /* slices: theta_i, >= 2, and phi_i, >= 1 */
     int phis;
     int words;       /* where the nodes begin in the table */
@@ -194,10 +195,10 @@ static inline brdf_int brdf_window_around(brdf_int cell, int nodes)
  * edge, and every second time the middle of what is left, so that it ends; integrals never fall, so
  * which windows led to a cell does not matter.
  */
-static inline struct brdf_line_search brdf_window_move(struct brdf_line_search s, int nodes,
-                                                       int step, brdf_real u,
-                                                       struct brdf_window window, brdf_mask left,
-                                                       brdf_mask right)
+static inline struct brdf_line_search brdf_window_move(struct brdf_line_search s,
+                                                       struct brdf_lines lines, int step,
+                                                       brdf_real u, struct brdf_window window,
+                                                       brdf_mask left, brdf_mask right)
 {
     s.low = brdf_pick_int(right, s.first + 3, s.low);
     s.high = brdf_pick_int(left, s.first - 1, s.high);
@@ -205,11 +206,11 @@ static inline struct brdf_line_search brdf_window_move(struct brdf_line_search s
     if (step % 2 == 0) {
         brdf_real off = u - brdf_pick(right, window.far.d, window.near.b);
         brdf_real density = brdf_max(brdf_pick(right, window.far.c, window.near.a), 1e-6f);
-        off = brdf_clamp(off * (float)(nodes - 1) / density, -65536.0f, 65536.0f);
+        off = brdf_clamp(off * (float)lines.cells / density, -65536.0f, 65536.0f);
         next = brdf_pick_int(right, s.first + 3, s.first) + brdf_to_int(brdf_floor(off));
     }
     next = brdf_pick_int(next < s.low, s.low, brdf_pick_int(next > s.high, s.high, next));
-    s.first = brdf_pick_int(left | right, brdf_window_around(next, nodes), s.first);
+    s.first = brdf_pick_int(left | right, brdf_window_around(next, lines.nodes), s.first);
     return s;
 }
 
@@ -231,25 +232,25 @@ static inline struct brdf_line_cell brdf_line_search(struct brdf_lines lines,
                                                      struct brdf_line line, brdf_real guess,
                                                      brdf_real u, BRDF_GLOBAL const float *table)
 {
-    int cells = lines.nodes - 1;
+    int last = lines.nodes - 2;
     struct brdf_window w;
     struct brdf_line_search s;
     s.low = 0 * line.first;
-    s.high = 0 * line.first + (cells - 1);
+    s.high = 0 * line.first + last;
     s.first =
-        brdf_window_around(brdf_to_int(brdf_clamp(guess, 0.0f, (float)cells - 0.5f)), lines.nodes);
+        brdf_window_around(brdf_to_int(brdf_clamp(guess, 0.0f, (float)last + 0.5f)), lines.nodes);
     int missed = 1;
     for (int step = 0; missed; ++step) {
         w = brdf_window_read(lines, slices, line, s.first, table);
         brdf_mask left = (w.near.b >= u) & (s.first > 0);
-        brdf_mask right = (w.far.d < u) & (s.first + 3 < cells);
+        brdf_mask right = (w.far.d < u) & (s.first + 3 <= last);
         missed = brdf_any(left | right);
         if (missed) {
-            s = brdf_window_move(s, lines.nodes, step, u, w, left, right);
+            s = brdf_window_move(s, lines, step, u, w, left, right);
         }
     }
-    brdf_mask second = (w.near.d < u) & (s.first + 1 < cells);
-    brdf_mask third = (w.far.b < u) & (s.first + 2 < cells);
+    brdf_mask second = (w.near.d < u) & (s.first + 1 <= last);
+    brdf_mask third = (w.far.b < u) & (s.first + 2 <= last);
     struct brdf_line_cell cell;
     cell.number = s.first + brdf_pick_int(third, 2, brdf_pick_int(second, 1, 0));
     cell.begin = brdf_pick(third, w.far.b, brdf_pick(second, w.near.d, w.near.b));
@@ -262,7 +263,7 @@ static inline struct brdf_line_cell brdf_line_search(struct brdf_lines lines,
 static inline brdf_real brdf_line_cell_sample(struct brdf_lines lines, struct brdf_line_cell cell,
                                               brdf_real u)
 {
-    return brdf_cell_sample(u - cell.begin, lines.nodes - 1, cell.left, cell.right);
+    return brdf_cell_sample(u - cell.begin, lines.cells, cell.left, cell.right);
 }
 
 #endif

@@ -24,6 +24,7 @@ enum brdf_measured_word {
     BRDF_MEASURED_SIGMA_COLUMNS,
     BRDF_MEASURED_ISOTROPIC, /* 1: normals are relative to the azimuth of wo */
     BRDF_MEASURED_SYMMETRY,  /* 2: azimuths of wo over half a turn, 4: a quarter; else 1 */
+    BRDF_MEASURED_MIRRORED,  /* 1: of the visible normals only half is kept (warp2d.h) */
     BRDF_MEASURED_JACOBIAN,  /* 0: colours are f cos(theta_i) themselves */
     BRDF_MEASURED_HEADER = 16
 };
@@ -66,13 +67,17 @@ static inline int brdf_lines_place(struct brdf_lines *lines, int count, int word
 
 /* Place a map with a density of rows by columns for each slice, from `words` on; where it ends. */
 static inline int brdf_map_place(struct brdf_map *map, int thetas, int phis, int rows, int columns,
-                                 int words)
+                                 int mirrored, int words)
 {
-    map->marginal.nodes = rows;
+    int kept = mirrored ? rows / 2 + 1 : rows;
+    map->mirrored = mirrored;
+    map->marginal.nodes = kept;
+    map->marginal.cells = rows - 1;
     map->rows.nodes = columns;
+    map->rows.cells = columns - 1;
     map->marginal.thetas = map->rows.thetas = thetas;
     map->marginal.phis = map->rows.phis = phis;
-    return brdf_lines_place(&map->rows, rows, brdf_lines_place(&map->marginal, 1, words));
+    return brdf_lines_place(&map->rows, kept, brdf_lines_place(&map->marginal, 1, words));
 }
 
 static inline struct brdf_measured_layout brdf_measured_layout_of(BRDF_GLOBAL const float *table)
@@ -88,8 +93,9 @@ static inline struct brdf_measured_layout brdf_measured_layout_of(BRDF_GLOBAL co
     layout.size = size;
     int words = layout.theta_words + brdf_measured_line(thetas);
     words = brdf_map_place(&layout.vndf, thetas, phis, (int)table[BRDF_MEASURED_VNDF_ROWS],
-                           (int)table[BRDF_MEASURED_VNDF_COLUMNS], words);
-    layout.color_words = brdf_map_place(&layout.luminance, thetas, phis, size, size, words);
+                           (int)table[BRDF_MEASURED_VNDF_COLUMNS],
+                           (int)table[BRDF_MEASURED_MIRRORED], words);
+    layout.color_words = brdf_map_place(&layout.luminance, thetas, phis, size, size, 0, words);
     layout.ndf_rows = (int)table[BRDF_MEASURED_NDF_ROWS];
     layout.ndf_columns = (int)table[BRDF_MEASURED_NDF_COLUMNS];
     layout.ndf_words = layout.color_words + brdf_measured_line(4 * phis * thetas * size * size);

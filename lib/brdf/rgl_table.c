@@ -6,60 +6,21 @@
 
 #include "rgl_table.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "angle.h"
 #include "brdf/model/measured.h"
 #include "rgl_format.h"
-
-/* A file with one theta_i holds for all of them: the table has it twice. */
-static int theta_slices(const struct brdf_rgl_file *file)
-{
-    return file->theta_count > 1 ? file->theta_count : 2;
-}
+#include "rgl_header.h"
 
 /* The part of the file that slice (phi, theta) of the table is made of. */
 static size_t slice_source(const struct brdf_rgl_file *file, int slice)
 {
-    int thetas = theta_slices(file);
+    int thetas = brdf_rgl_theta_slices(file);
     int theta = slice % thetas;
     return (size_t)(slice / thetas * file->theta_count +
                     (theta < file->theta_count ? theta : file->theta_count - 1));
-}
-
-/* Are the rows of a grid by direction all the same? Then one cell across is enough. */
-static int rows_needed(const float *grid, int rows, int columns)
-{
-    for (int i = columns; i < rows * columns; ++i) {
-        if (grid[i] != grid[i - columns]) {
-            return rows;
-        }
-    }
-    return 2;
-}
-
-static void header_build(float *table, const struct brdf_rgl_file *file)
-{
-    int turn = file->phi_count > 2
-                   ? (int)lrint(2.0 * pi /
-                                ((double)file->phi_i[file->phi_count - 1] - (double)file->phi_i[0]))
-                   : 1;
-    table[BRDF_MEASURED_PHIS] = (float)file->phi_count;
-    table[BRDF_MEASURED_THETAS] = (float)theta_slices(file);
-    table[BRDF_MEASURED_VNDF_ROWS] = (float)file->vndf_rows;
-    table[BRDF_MEASURED_VNDF_COLUMNS] = (float)file->vndf_columns;
-    table[BRDF_MEASURED_SIZE] = (float)file->size;
-    table[BRDF_MEASURED_NDF_ROWS] =
-        (float)rows_needed(file->ndf, file->ndf_rows, file->ndf_columns);
-    table[BRDF_MEASURED_NDF_COLUMNS] = (float)file->ndf_columns;
-    table[BRDF_MEASURED_SIGMA_ROWS] =
-        (float)rows_needed(file->sigma, file->sigma_rows, file->sigma_columns);
-    table[BRDF_MEASURED_SIGMA_COLUMNS] = (float)file->sigma_columns;
-    table[BRDF_MEASURED_ISOTROPIC] = file->phi_count <= 2 ? 1.0f : 0.0f;
-    table[BRDF_MEASURED_SYMMETRY] = turn == 2 ? 2.0f : turn == 4 ? 4.0f : 1.0f;
-    table[BRDF_MEASURED_JACOBIAN] = file->jacobian ? 1.0f : 0.0f;
 }
 
 static void knots_build(float *table, const struct brdf_measured_layout *layout,
@@ -101,10 +62,9 @@ static float *line_nodes(float *table, const struct brdf_lines *lines, int line,
            2 * (size_t)slice * (size_t)lines->nodes;
 }
 
-/* The place, in cells, where the integrals of a line reach the part u of the last. */
-static double line_invert(const float *nodes, int count, double u)
+/* The place, in cells, where the integrals of a line reach `wanted`. */
+static double line_invert(const float *nodes, int count, double wanted)
 {
-    double wanted = u * (double)nodes[2 * count - 1];
     int cell = 0;
     while (cell < count - 2 && (double)nodes[2 * cell + 3] < wanted) {
         ++cell;
@@ -115,11 +75,11 @@ static double line_invert(const float *nodes, int count, double u)
     return cell + (inside < 0.0 ? 0.0 : inside > 1.0 ? 1.0 : inside);
 }
 
-/* The inverse of a line at the steps, each with the next, times the whole. */
-static void guesses_build(float *table, const struct brdf_lines *lines, int line, int slice)
+/* The inverse of a line, whose integral is `all`, at the steps, each with the next, times that. */
+static void guesses_build(float *table, const struct brdf_lines *lines, int line, int slice,
+                          double all)
 {
     const float *nodes = line_nodes(table, lines, line, slice);
-    double all = (double)nodes[2 * lines->nodes - 1];
     float *words = table + lines->guess_words + (size_t)line * (size_t)brdf_guesses_apart(*lines) +
                    2 * (size_t)slice;
     size_t apart = 2 * (size_t)(lines->thetas * lines->phis);
@@ -127,7 +87,7 @@ static void guesses_build(float *table, const struct brdf_lines *lines, int line
         float *pair = words + apart * (size_t)step;
         for (int i = 0; i < 2; ++i) {
             float u = brdf_line_step((float)(step + i) / (float)BRDF_LINE_STEPS);
-            pair[i] = (float)(all * line_invert(nodes, lines->nodes, (double)u));
+            pair[i] = (float)(all * line_invert(nodes, lines->nodes, all * (double)u));
         }
     }
 }
@@ -138,7 +98,7 @@ static void guesses_build(float *table, const struct brdf_lines *lines, int line
  */
 static void slice_build(float *table, const struct brdf_map *map, int slice, const float *data)
 {
-    int rows = map->marginal.nodes;
+    int rows = map->marginal.cells + 1;
     int columns = map->rows.nodes;
     float *across = line_nodes(table, &map->marginal, 0, slice);
     double total = map_integral(data, rows, columns);
@@ -146,7 +106,7 @@ static void slice_build(float *table, const struct brdf_map *map, int slice, con
     double flat = total > 1e-30 ? 0.0 : 1.0;
     double sum = 0.0;
     double before = 0.0;
-    for (int row = 0; row < rows; ++row) {
+    for (int row = 0; row < map->marginal.nodes; ++row) {
         float *nodes = line_nodes(table, &map->rows, row, slice);
         double along = 0.0;
         double left = 0.0;
@@ -157,13 +117,13 @@ static void slice_build(float *table, const struct brdf_map *map, int slice, con
             nodes[2 * column + 1] = (float)along;
             left = value;
         }
-        guesses_build(table, &map->rows, row, slice);
+        guesses_build(table, &map->rows, row, slice, along);
         sum += row > 0 ? 0.5 * (before + along) / (rows - 1.0) : 0.0;
         across[2 * row] = (float)along;
         across[2 * row + 1] = (float)sum;
         before = along;
     }
-    guesses_build(table, &map->marginal, 0, slice);
+    guesses_build(table, &map->marginal, 0, slice, 1.0);
 }
 
 /* Colours of one slice, each with the density that the map of luminance has there. */
@@ -226,7 +186,7 @@ static void values_fill(float *table, const struct brdf_measured_layout *layout,
 /* About how many words the table will have; to be known before ints are trusted to hold it. */
 static double words_estimate(const struct brdf_rgl_file *file)
 {
-    double views = (double)file->phi_count * theta_slices(file);
+    double views = (double)file->phi_count * brdf_rgl_theta_slices(file);
     double steps = BRDF_LINE_STEPS;
     return views * (2.0 * file->vndf_rows * (file->vndf_columns + 1.0 + steps) + 4.0 * steps +
                     2.0 * file->size * (3.0 * file->size + 1.0 + steps)) +
@@ -246,7 +206,7 @@ static brdf_status table_begin(const struct brdf_rgl_file *file, float **table, 
                          file->phi_count, file->theta_count, file->vndf_rows, file->vndf_columns,
                          file->size, file->size);
     }
-    header_build(header, file);
+    brdf_rgl_header_build(header, file);
     struct brdf_measured_layout layout = brdf_measured_layout_of(header);
     size_t bytes = (size_t)layout.words * sizeof(float);
     if (posix_memalign(&memory, 64, bytes) != 0) {
