@@ -122,16 +122,7 @@ static inline unsigned pt_mask_bits(brdf_mask mask)
 #elif defined(PT_SIGN_BITS)
     return (unsigned)PT_SIGN_BITS(mask);
 #else
-    mask &= (brdf_mask)1 << brdf_lane_numbers();
-#if BRDF_LANES == 16
-    int8 by8 = mask.lo | mask.hi;
-    int4 by4 = by8.lo | by8.hi;
-#elif BRDF_LANES == 8
-    int4 by4 = mask.lo | mask.hi;
-#else
-    int4 by4 = mask;
-#endif
-    return (unsigned)(by4.s0 | by4.s1 | by4.s2 | by4.s3);
+    return (unsigned)brdf_or_lanes(mask & ((brdf_mask)1 << brdf_lane_numbers()));
 #endif
 }
 

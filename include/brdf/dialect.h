@@ -50,6 +50,12 @@ static inline brdf_int brdf_pick_int(brdf_mask mask, brdf_int yes, brdf_int no)
     return mask ? yes : no;
 }
 
+/* Is the mask true in some lane? One answer for all lanes: a branch on it is fine. */
+static inline int brdf_any(brdf_mask mask)
+{
+    return brdf_or_lanes(mask) != 0;
+}
+
 /*
  * The smaller and the larger of two, decided by one comparison, so that every compiler must agree:
  * where the comparison is false (equal zeros of different sign, a NaN) the first argument is kept.

@@ -65,9 +65,9 @@ static inline brdf_int brdf_gather_int(BRDF_GLOBAL const int *table, brdf_int in
     return table[index];
 }
 
-static inline int brdf_any(brdf_mask mask)
+static inline int brdf_or_lanes(brdf_int x)
 {
-    return mask != 0;
+    return x;
 }
 
 static inline brdf_int brdf_lane_numbers(void)

@@ -132,27 +132,26 @@ static inline brdf_int brdf_gather_int(BRDF_GLOBAL const int *table, brdf_int in
 #endif
 }
 
-/* Is the mask true in some lane? One answer for all lanes: a branch on it is fine. By halves, for
-   any() may become a branch for each lane. */
-static inline int brdf_any(brdf_mask mask)
+/* All lanes or'ed into one value, by halves: any() may become a branch for each lane. */
+static inline int brdf_or_lanes(brdf_int x)
 {
 #if BRDF_LANES == 1
-    return mask != 0;
+    return x;
 #else
 #if BRDF_LANES == 32
-    int16 by16 = mask.lo | mask.hi;
+    int16 by16 = x.lo | x.hi;
     int8 by8 = by16.lo | by16.hi;
     int4 by4 = by8.lo | by8.hi;
 #elif BRDF_LANES == 16
-    int8 by8 = mask.lo | mask.hi;
+    int8 by8 = x.lo | x.hi;
     int4 by4 = by8.lo | by8.hi;
 #elif BRDF_LANES == 8
-    int4 by4 = mask.lo | mask.hi;
+    int4 by4 = x.lo | x.hi;
 #else
-    int4 by4 = mask;
+    int4 by4 = x;
 #endif
     int2 by2 = by4.lo | by4.hi;
-    return (by2.x | by2.y) != 0;
+    return by2.x | by2.y;
 #endif
 }
 
