@@ -101,7 +101,8 @@ static void opencl_equals_c(void **state)
     }
     cl_program program;
     const struct opencl_materials none = {0};
-    if (opencl_build(device, &none, program_text, "trace.cl", "", &program, &error) != BRDF_OK) {
+    if (opencl_build(device, brdfcl_device_lanes(device), &none, program_text, "trace.cl", "",
+                     &program, &error) != BRDF_OK) {
         fail_msg("%s", error.message);
     }
     cl_int status;
