@@ -25,7 +25,7 @@ enum { INCIDENCES = sizeof incidences / sizeof incidences[0] };
 
 static inline brdf_vec3 direction(double degrees)
 {
-    double theta = degrees * TEST_PI / 180.0;
+    double theta = degrees * pi / 180.0;
     return brdf_vec3_make((float)(sin(theta) * 0.8), (float)(sin(theta) * 0.6), (float)cos(theta));
 }
 

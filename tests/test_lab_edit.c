@@ -78,7 +78,7 @@ static void the_diffuse_part_is_found(void **state)
     assert_int_equal(lab_separate(&file, &diffuse, NULL), BRDF_OK);
     for (int d = 0; d < LAB_SEPARATE_BINS; ++d) {
         for (int c = 0; c < 3; ++c) {
-            assert_true(fabs(diffuse.level[d][c] * TEST_PI - wanted[c]) < 0.01 * wanted[c]);
+            assert_true(fabs(diffuse.level[d][c] * pi - wanted[c]) < 0.01 * wanted[c]);
         }
     }
     brdf_merl_free(&file);

@@ -50,7 +50,7 @@ static void a_flawless_table_has_no_doubts(void **state)
     assert_true(survey.reciprocity == 0.0 && survey.energy_from == 90.0);
     assert_true(merl.bins == 90 * 90 * 180 && merl.valid == merl.above && merl.above_invalid == 0);
     assert_true(merl.valid + file.invalid == merl.bins && merl.zero == 0);
-    assert_true(fabs(merl.least * TEST_PI - 0.2) < 1e-6 && fabs(merl.most * TEST_PI - 0.6) < 1e-6);
+    assert_true(fabs(merl.least * pi - 0.2) < 1e-6 && fabs(merl.most * pi - 0.6) < 1e-6);
     assert_true(merl.noise < 1e-6);
     brdf_bsdf_destroy(bsdf);
     brdf_merl_free(&file);

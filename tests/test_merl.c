@@ -115,7 +115,7 @@ static void empty_planes_are_filled_from_neighbours(void **state)
     brdf_merl_free(&file);
     assert_int_equal(brdf_merl_read(place.path, BRDF_MERL_INVALID_FILL, &file, NULL), BRDF_OK);
     for (size_t i = 0; i < file.bins * 3; ++i) {
-        assert_float_equal(file.rgb[i], (float)(0.5 / TEST_PI), 1e-6f);
+        assert_float_equal(file.rgb[i], (float)(0.5 / pi), 1e-6f);
     }
     brdf_merl_free(&file);
 }

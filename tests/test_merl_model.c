@@ -25,9 +25,9 @@ static void published_place(brdf_vec3 o, brdf_vec3 i, double place[3])
     double x = c * turned[0] + s * turned[2], z = c * turned[2] - s * turned[0];
     double theta_d = atan2(sqrt(x * x + turned[1] * turned[1]), z);
     double phi_d = atan2(turned[1], x);
-    place[0] = sqrt(theta_h / (0.5 * TEST_PI) * 90.0 * 90.0);
-    place[1] = theta_d / (0.5 * TEST_PI) * 90.0;
-    place[2] = (phi_d < 0.0 ? phi_d + TEST_PI : phi_d) / TEST_PI * 180.0;
+    place[0] = sqrt(theta_h / (0.5 * pi) * 90.0 * 90.0);
+    place[1] = theta_d / (0.5 * pi) * 90.0;
+    place[2] = (phi_d < 0.0 ? phi_d + pi : phi_d) / pi * 180.0;
 }
 
 /* Of half and difference angles, the published lookup finds the same again. */
@@ -39,16 +39,16 @@ static void angles_lead_to_their_directions(void **state)
         double theta_h = 1.2 * (double)brdfcl_random_uniform(&random) + 0.01,
                phi_h = 6.0 * (double)brdfcl_random_uniform(&random);
         double theta_d = 1.2 * (double)brdfcl_random_uniform(&random) + 0.01;
-        double phi_d = TEST_PI * (0.01 + 0.98 * (double)brdfcl_random_uniform(&random));
+        double phi_d = pi * (0.01 + 0.98 * (double)brdfcl_random_uniform(&random));
         double o[3], w[3], place[3];
         int above = brdf_merl_directions_at(theta_h, phi_h, theta_d, phi_d, o, w);
         assert_int_equal(above, o[2] > 0.0 && w[2] > 0.0);
         assert_true(fabs(o[0] * w[0] + o[1] * w[1] + o[2] * w[2] - cos(2.0 * theta_d)) < 1e-12);
         published_place(brdf_vec3_make((float)o[0], (float)o[1], (float)o[2]),
                         brdf_vec3_make((float)w[0], (float)w[1], (float)w[2]), place);
-        assert_true(fabs(place[0] * place[0] / 8100.0 - theta_h / (0.5 * TEST_PI)) < 1e-5);
-        assert_true(fabs(place[1] / 90.0 - theta_d / (0.5 * TEST_PI)) < 1e-5);
-        assert_true(fabs(place[2] / 180.0 - phi_d / TEST_PI) < 1e-4);
+        assert_true(fabs(place[0] * place[0] / 8100.0 - theta_h / (0.5 * pi)) < 1e-5);
+        assert_true(fabs(place[1] / 90.0 - theta_d / (0.5 * pi)) < 1e-5);
+        assert_true(fabs(place[2] / 180.0 - phi_d / pi) < 1e-4);
         double turn = atan2(o[1] + w[1], o[0] + w[0]) - phi_h;
         assert_true(fabs(sin(0.5 * turn)) < 1e-9);
     }

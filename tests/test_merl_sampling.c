@@ -21,7 +21,7 @@ static void baked_lambert_reflects_its_albedo(void **state)
     for (int i = 0; i < 100000; ++i) {
         brdf_vec3 wo = random_above(&random), wi = random_above(&random);
         brdf_rgb f = brdf_merl_eval(material(i % 2), wo, wi, baked->gray);
-        assert_float_equal(f.r, (float)(gray_albedo / TEST_PI), 1e-6f);
+        assert_float_equal(f.r, (float)(gray_albedo / pi), 1e-6f);
         struct brdf_sample s =
             brdf_merl_sample(material(i % 2), wo, random_cube(&random), baked->gray);
         assert_float_equal(s.weight.g, (float)gray_albedo, 2e-6f);
@@ -67,7 +67,7 @@ static struct estimate albedo_estimate(const float *table, double degrees, int c
         brdf_vec3 u = random_cube(&random);
         double weight =
             cosine
-                ? TEST_PI * mean(brdf_merl_eval(material(0), wo, brdf_warp_cosine(u.x, u.y), table))
+                ? pi * mean(brdf_merl_eval(material(0), wo, brdf_warp_cosine(u.x, u.y), table))
                 : mean(brdf_merl_sample(material(0), wo, u, table).weight);
         sum += weight / COUNT;
         squares += weight * weight / COUNT;
@@ -113,8 +113,8 @@ enum { CELL_COUNT = GRID_THETA * GRID_PHI };
 static double cell_mass(const float *table, brdf_vec3 wo, int cell)
 {
     double sum = 0.0;
-    double step = 0.5 * TEST_PI / (GRID_THETA * FINE_THETA);
-    double turn = 2.0 * TEST_PI / (GRID_PHI * FINE_PHI);
+    double step = 0.5 * pi / (GRID_THETA * FINE_THETA);
+    double turn = 2.0 * pi / (GRID_PHI * FINE_PHI);
     for (int k = 0; k < FINE_THETA * FINE_PHI; ++k) {
         double theta = step * (cell / GRID_PHI * FINE_THETA + k / FINE_PHI + 0.5);
         double phi = turn * (cell % GRID_PHI * FINE_PHI + k % FINE_PHI + 0.5);
@@ -129,8 +129,8 @@ static double cell_mass(const float *table, brdf_vec3 wo, int cell)
 static int grid_cell(brdf_vec3 wi)
 {
     double flat = sqrt((double)wi.x * (double)wi.x + (double)wi.y * (double)wi.y);
-    double theta = atan2(flat, (double)wi.z) / (0.5 * TEST_PI);
-    double phi = atan2((double)wi.y, (double)wi.x) / (2.0 * TEST_PI);
+    double theta = atan2(flat, (double)wi.z) / (0.5 * pi);
+    double phi = atan2((double)wi.y, (double)wi.x) / (2.0 * pi);
     int row = (int)(theta * GRID_THETA);
     int column = (int)((phi < 0.0 ? phi + 1.0 : phi) * GRID_PHI);
     return (row < GRID_THETA ? row : GRID_THETA - 1) * GRID_PHI + column % GRID_PHI;
