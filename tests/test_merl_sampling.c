@@ -66,9 +66,8 @@ static struct estimate albedo_estimate(const float *table, double degrees, int c
     for (int i = 0; i < COUNT; ++i) {
         brdf_vec3 u = random_cube(&random);
         double weight =
-            cosine
-                ? pi * mean(brdf_merl_eval(material(0), wo, brdf_warp_cosine(u.x, u.y), table))
-                : mean(brdf_merl_sample(material(0), wo, u, table).weight);
+            cosine ? pi * mean(brdf_merl_eval(material(0), wo, brdf_warp_cosine(u.x, u.y), table))
+                   : mean(brdf_merl_sample(material(0), wo, u, table).weight);
         sum += weight / COUNT;
         squares += weight * weight / COUNT;
     }
