@@ -17,7 +17,7 @@
 #include "glass_curve.h"
 
 struct brdf_coating {
-    struct brdf_glass_place row;
+    struct brdf_place row;
     brdf_real mean_loss; /* L */
     brdf_real through;   /* q; 0 without compensation */
     brdf_real escape;    /* 1 - K */
@@ -58,7 +58,7 @@ static inline struct brdf_coating_view brdf_coating_view_of(BRDF_GLOBAL const fl
                                                             int compensates, brdf_real cosine)
 {
     struct brdf_coating_view view;
-    struct brdf_glass_place column =
+    struct brdf_place column =
         brdf_glass_column(brdf_glass_axis_of(table, 0), brdf_clamp(cosine, 0.0f, 1.0f));
     brdf_int first = BRDF_GLASS_MEANS;
     view.pass = brdf_glass_curve(table, coating.row, first, column);

@@ -9,8 +9,9 @@
  * l is a fit to quadratures of the same model, made by tools/fit_energy.py: with a = 4 alpha^2 and
  * x = mu sqrt((1 + a) / (mu^2 + a)), y = (2 alpha - 1) / (1 + alpha), it is a / (mu^2 + a) times
  * polynomials in x and y, x ln x and y, and mu and y. L is a fit to the integral of that fit. They
- * hold for alpha in [1e-4, 2]; l errs by 1e-3 at most. Where two alphas differ, alpha and mu are
- * those of round.h; L stays that of alpha.
+ * hold for alpha in [1e-4, 2]; l errs by 1e-3 at most. Where two alphas differ, l and L are those
+ * of a table (brushed.h), unless alphas vary over a surface: then alpha and mu are those of
+ * round.h, L is that of alpha, and all of it is rough.
  */
 #ifndef BRDF_ENERGY_H
 #define BRDF_ENERGY_H
@@ -91,6 +92,22 @@ static inline struct brdf_energy brdf_energy_make(struct brdf_facets facets)
     energy.flat[1] = brdf_energy_polynomial(c + 3, 2, y);
     energy.spread = 4.0f * alpha * alpha;
     energy.mean_loss = brdf_energy_mean_loss(row, alpha, y);
+    return energy;
+}
+
+/* The same where l comes from a table; no l can be had from this one. */
+static inline struct brdf_energy brdf_energy_of(brdf_real mean_loss, brdf_real spread)
+{
+    struct brdf_energy energy;
+    energy.round = brdf_round_make(0.0f, 1.0f, 1.0f);
+    BRDF_UNROLL
+    for (int i = 0; i <= BRDF_ENERGY_X; ++i) {
+        energy.curve[i] = 0.0f;
+    }
+    energy.log[0] = energy.log[1] = 0.0f;
+    energy.flat[0] = energy.flat[1] = 0.0f;
+    energy.spread = spread;
+    energy.mean_loss = mean_loss;
     return energy;
 }
 

@@ -19,7 +19,7 @@
 /* What an interface of this roughness does with what it has lost; eta is below over above. */
 struct brdf_glass {
     brdf_real alpha;
-    struct brdf_glass_place row;
+    struct brdf_place row;
     brdf_real mean_above; /* L of both sides */
     brdf_real mean_below;
     brdf_real pass; /* p s of the side above; below it is this over eta^2 */

@@ -15,8 +15,8 @@
 #ifndef BRDF_GLASS_CURVE_H
 #define BRDF_GLASS_CURVE_H
 
+#include "lookup.h"
 #include "math.h"
-#include "vec.h"
 
 #define BRDF_GLASS_BELOW 111 /* columns of a curve up to the critical cosine */
 #define BRDF_GLASS_ABOVE 95  /* and from it */
@@ -50,12 +50,6 @@ struct brdf_glass_axis {
     brdf_real below_even;
     brdf_real above_scale;
     brdf_real above_width; /* 1 / (1 - critical) */
-};
-
-/* Where a number lies: the word before it, and how far it is from there to the next one. */
-struct brdf_glass_place {
-    brdf_int index;
-    brdf_real rest;
 };
 
 /* The axis of a side; `eta` is the index of the far side over that of the near one. */
@@ -101,18 +95,8 @@ brdf_glass_axis_pick(brdf_mask mask, struct brdf_glass_axis yes, struct brdf_gla
     return axis;
 }
 
-static inline struct brdf_glass_place brdf_glass_place_of(brdf_real x, brdf_real last)
-{
-    struct brdf_glass_place place;
-    brdf_real inside = brdf_clamp(x, 0.0f, last);
-    brdf_real whole = brdf_min(floorf(inside), last - 1.0f);
-    place.index = brdf_to_int(whole);
-    place.rest = inside - whole;
-    return place;
-}
-
 /* The place of a cosine in a curve; 0 <= mu <= 1. */
-static inline struct brdf_glass_place brdf_glass_column(struct brdf_glass_axis axis, brdf_real mu)
+static inline struct brdf_place brdf_glass_column(struct brdf_glass_axis axis, brdf_real mu)
 {
     float near = BRDF_GLASS_NEAR;
     brdf_mask is_below = mu < axis.critical;
@@ -125,7 +109,7 @@ static inline struct brdf_glass_place brdf_glass_column(struct brdf_glass_axis a
     brdf_real left = sqrtf(brdf_clamp((1.0f - mu) * axis.above_width, 0.0f, 1.0f));
     brdf_real above = axis.above_scale * log +
                       BRDF_GLASS_EVEN_ABOVE * (float)(BRDF_GLASS_ABOVE - 1) * (1.0f - left);
-    struct brdf_glass_place place = brdf_glass_place_of(
+    struct brdf_place place = brdf_place_of(
         brdf_pick(is_below, below, above),
         brdf_pick(is_below, (float)(BRDF_GLASS_BELOW - 1), (float)(BRDF_GLASS_ABOVE - 1)));
     place.index += brdf_pick_int(is_below, 0, BRDF_GLASS_BELOW);
@@ -134,46 +118,35 @@ static inline struct brdf_glass_place brdf_glass_column(struct brdf_glass_axis a
 
 /* The place of a roughness among the rows, counted in rows: even in ln alpha, nearly, but for a
  * part that is even in alpha. */
-static inline struct brdf_glass_place brdf_glass_row(brdf_real alpha)
+static inline struct brdf_place brdf_glass_row(brdf_real alpha)
 {
     float low = 2.0f * BRDF_GLASS_ALPHA_LOW;
     /* 1 / ln((2 + 1e-4) / 2e-4) */
     brdf_real log = brdf_log((alpha + BRDF_GLASS_ALPHA_LOW) / low) * 0.1085730f;
     brdf_real x = 0.85f * log + 0.15f / BRDF_GLASS_ALPHA_HIGH * alpha;
-    return brdf_glass_place_of(x * (float)(BRDF_GLASS_ROWS - 1), (float)(BRDF_GLASS_ROWS - 1));
-}
-
-static inline brdf_real brdf_glass_between(brdf_real low, brdf_real high, brdf_real rest)
-{
-    return low + (high - low) * rest;
+    return brdf_place_of(x * (float)(BRDF_GLASS_ROWS - 1), (float)(BRDF_GLASS_ROWS - 1));
 }
 
 /* The first word of a row, and mean number `which` between it and the next row. */
-static inline brdf_int brdf_glass_row_word(struct brdf_glass_place row)
+static inline brdf_int brdf_glass_row_word(struct brdf_place row)
 {
     return row.index * BRDF_GLASS_ROW + BRDF_GLASS_HEAD;
 }
 
-static inline brdf_real brdf_glass_mean(BRDF_GLOBAL const float *table, struct brdf_glass_place row,
+static inline brdf_real brdf_glass_mean(BRDF_GLOBAL const float *table, struct brdf_place row,
                                         int which)
 {
     brdf_int word = brdf_glass_row_word(row) + which;
-    return brdf_glass_between(brdf_gather(table, word), brdf_gather(table, word + BRDF_GLASS_ROW),
-                              row.rest);
+    return brdf_between(brdf_gather(table, word), brdf_gather(table, word + BRDF_GLASS_ROW),
+                        row.rest);
 }
 
 /* A curve: `first` is its first word, in a row's. */
-static inline brdf_real brdf_glass_curve(BRDF_GLOBAL const float *table,
-                                         struct brdf_glass_place row, brdf_int first,
-                                         struct brdf_glass_place column)
+static inline brdf_real brdf_glass_curve(BRDF_GLOBAL const float *table, struct brdf_place row,
+                                         brdf_int first, struct brdf_place column)
 {
     brdf_int word = brdf_glass_row_word(row) + first + column.index;
-    brdf_int next = word + BRDF_GLASS_ROW;
-    brdf_real low =
-        brdf_glass_between(brdf_gather(table, word), brdf_gather(table, word + 1), column.rest);
-    brdf_real high =
-        brdf_glass_between(brdf_gather(table, next), brdf_gather(table, next + 1), column.rest);
-    return brdf_glass_between(low, high, row.rest);
+    return brdf_lookup(table, word, BRDF_GLASS_ROW, row.rest, column.rest);
 }
 
 #endif

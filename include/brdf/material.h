@@ -42,23 +42,25 @@ struct brdf_setting {
     const char *value; /* colours may also be separated by commas here; no quotes */
     float number[3];   /* the value where `value` is NULL: linear Rec. 709 for a colour */
     int numbers;       /* 1 or 3 */
+    int varies;        /* not 0: the value stands for others, as a texture has them, which go into
+                          the parameters by brdf_parameters_set (model.h); tables must serve all */
 };
 
 static inline struct brdf_setting brdf_setting_text(const char *name, const char *value)
 {
-    struct brdf_setting setting = {name, value, {0.0f, 0.0f, 0.0f}, 0};
+    struct brdf_setting setting = {name, value, {0.0f, 0.0f, 0.0f}, 0, 0};
     return setting;
 }
 
 static inline struct brdf_setting brdf_setting_real(const char *name, float x)
 {
-    struct brdf_setting setting = {name, NULL, {x, 0.0f, 0.0f}, 1};
+    struct brdf_setting setting = {name, NULL, {x, 0.0f, 0.0f}, 1, 0};
     return setting;
 }
 
 static inline struct brdf_setting brdf_setting_color(const char *name, float r, float g, float b)
 {
-    struct brdf_setting setting = {name, NULL, {r, g, b}, 3};
+    struct brdf_setting setting = {name, NULL, {r, g, b}, 3, 0};
     return setting;
 }
 
@@ -138,8 +140,8 @@ BRDF_API const struct brdf_material *brdf_bsdf_material(const struct brdf_bsdf *
 
 /*
  * The table of the material, read from a file or computed; *words 4-byte words of it, NULL and 0 if
- * it has none. Valid
- * as long as the bsdf. In memory shared by several materials it begins at word material.table.
+ * it has none. Valid as long as the bsdf. In memory shared by several materials it begins at word
+ * material.table.
  */
 BRDF_API const float *brdf_bsdf_table(const struct brdf_bsdf *bsdf, size_t *words);
 

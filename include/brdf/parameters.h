@@ -7,6 +7,8 @@
  *
  *   CHOICE  one of several named options, the same for all lanes; `unit` names them, as in
  *           "ggx|beckmann", and initial is the option's number. In the struct: int.
+ *   DECIDED  as CHOICE, after the last of them, but libbrdf alone decides, by the parameters of a
+ *           material: nobody can set it or sees it.
  *   REAL    one number in [low, high], `unit` as a string ("1" if it has none; "ior" also accepts
  *           the name of a dielectric). In the struct: brdf_real.
  *   COLOR   linear Rec. 709, each channel in [low, high]. In the struct: brdf_rgb.
@@ -25,6 +27,7 @@
 /* The members of the parameter struct. */
 #define BRDF_FIELD(kind, name, initial, low, high, unit, meaning) BRDF_FIELD_##kind(name)
 #define BRDF_FIELD_CHOICE(name) int name;
+#define BRDF_FIELD_DECIDED(name) int name;
 #define BRDF_FIELD_REAL(name) brdf_real name;
 #define BRDF_FIELD_COLOR(name) brdf_rgb name;
 #define BRDF_FIELD_ALIAS(name)
@@ -34,6 +37,7 @@
 /* "0 LIST(BRDF_PLUS_CHOICE)" counts the choices, "0 LIST(BRDF_PLUS_WORDS)" the 4-byte values. */
 #define BRDF_PLUS_CHOICE(kind, name, initial, low, high, unit, meaning) BRDF_PLUS_CHOICE_##kind
 #define BRDF_PLUS_CHOICE_CHOICE +1
+#define BRDF_PLUS_CHOICE_DECIDED +1
 #define BRDF_PLUS_CHOICE_REAL
 #define BRDF_PLUS_CHOICE_COLOR
 #define BRDF_PLUS_CHOICE_ALIAS
@@ -42,6 +46,7 @@
 
 #define BRDF_PLUS_WORDS(kind, name, initial, low, high, unit, meaning) BRDF_PLUS_WORDS_##kind
 #define BRDF_PLUS_WORDS_CHOICE
+#define BRDF_PLUS_WORDS_DECIDED
 #define BRDF_PLUS_WORDS_REAL +1
 #define BRDF_PLUS_WORDS_COLOR +3
 #define BRDF_PLUS_WORDS_ALIAS
@@ -57,6 +62,7 @@
 #define BRDF_LOAD_CHOICE(name)                                                                     \
     p.name = (int)(choices & 15u);                                                                 \
     choices >>= 4;
+#define BRDF_LOAD_DECIDED(name) BRDF_LOAD_CHOICE(name)
 #define BRDF_LOAD_REAL(name) p.name = *word++;
 #define BRDF_LOAD_COLOR(name)                                                                      \
     p.name = brdf_rgb_make(word[0], word[1], word[2]);                                             \
@@ -68,6 +74,7 @@
 /* "LIST(BRDF_SET)" puts `value` into the member of `p` that is word number `at`. */
 #define BRDF_SET(kind, name, initial, low, high, unit, meaning) BRDF_SET_##kind(name)
 #define BRDF_SET_CHOICE(name)
+#define BRDF_SET_DECIDED(name)
 #define BRDF_SET_REAL(name)                                                                        \
     p.name = at == 0 ? value : p.name;                                                             \
     at -= 1;
@@ -87,6 +94,7 @@
     p.name = known & 15u ? (int)(chosen & 15u) : p.name;                                           \
     known >>= 4;                                                                                   \
     chosen >>= 4;
+#define BRDF_KNOW_DECIDED(name) BRDF_KNOW_CHOICE(name)
 #define BRDF_KNOW_REAL(name)
 #define BRDF_KNOW_COLOR(name)
 #define BRDF_KNOW_ALIAS(name)

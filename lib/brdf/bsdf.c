@@ -52,8 +52,8 @@ brdf_status brdf_bsdf_build(const char *model, const struct brdf_setting *settin
             brdf_table_load(&bsdf->material, bsdf->file, &bsdf->table, &bsdf->table_words, error);
     }
     if (!status && info->flags & BRDF_COMPUTED) {
-        status =
-            brdf_table_compute(&bsdf->material, fixed, &bsdf->table, &bsdf->table_words, error);
+        status = brdf_table_compute(&bsdf->material, bsdf->varies, fixed, &bsdf->table,
+                                    &bsdf->table_words, error);
     }
     if (!status) {
         bsdf->parameters =

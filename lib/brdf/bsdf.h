@@ -18,6 +18,7 @@ struct brdf_bsdf {
     float *table;               /* NULL if the model has none; owned */
     size_t table_words;
     char *file[BRDF_FILES]; /* where the table came from, for descriptions; owned */
+    unsigned varies;        /* a bit for each word of the material that will have other values */
 };
 
 /* Where settings were written, so that an error can say it: `place` has a byte, from 0, for each.
@@ -59,10 +60,10 @@ brdf_status brdf_table_load(const struct brdf_material *material, char *const fi
                             float **table, size_t *words, struct brdf_error *error);
 
 /*
- * The table that the material's options need, computed; left alone where they need none. `fixed` as
- * above. tables.c
+ * The table that the material's options need, computed; left alone where they need none. Puts in
+ * what is DECIDED (parameters.h). `varies` and `fixed` as above. tables.c
  */
-brdf_status brdf_table_compute(const struct brdf_material *material, int fixed, float **table,
-                               size_t *words, struct brdf_error *error);
+brdf_status brdf_table_compute(struct brdf_material *material, unsigned varies, int fixed,
+                               float **table, size_t *words, struct brdf_error *error);
 
 #endif

@@ -11,9 +11,11 @@
 
 #include "brdf/glass_curve.h"
 #include "brdf/interface.h"
-#include "glass_facets.h"
+#include "facet_shares.h"
+#include "table_fill.h"
 
 enum {
+    NODES = 8, /* of a piece of the quadrature */
     ROW_STEP = 3,
     COLUMN_STEP = 2,
     ROWS = (BRDF_GLASS_ROWS - 1) / ROW_STEP + 1, /* with quadratures */
@@ -22,8 +24,8 @@ enum {
 
 /* A table in the making. */
 struct making {
-    struct glass_rule rule;
-    const struct glass_surface *surface; /* from above */
+    struct facet_rule rule;
+    const struct facet_surface *surface; /* from above */
     int coating;
     double cosine[2][BRDF_GLASS_COLUMNS];  /* of the columns, from above and from below */
     double measure[2][BRDF_GLASS_COLUMNS]; /* integrals of 2 mu times the column's hat */
@@ -35,7 +37,7 @@ static struct brdf_glass_axis axis_of(const struct making *making, int below)
     return brdf_glass_axis_of(making->table, below);
 }
 
-static double place_number(struct brdf_glass_place place)
+static double place_number(struct brdf_place place)
 {
     return (double)place.index + (double)place.rest;
 }
@@ -106,44 +108,15 @@ static double alpha_of(int row)
     return 0.5 * (low + high);
 }
 
-/* The polynomial through four of `count` numbers around `at`; they are `stride` words apart. */
-static double between(const float *numbers, int count, int stride, double at)
+static struct facet_surface surface_of(const struct making *making, double alpha, int below)
 {
-    int first = (int)at - 1;
-    first = first < 0 ? 0 : first > count - 4 ? count - 4 : first;
-    double t = at - first, sum = 0.0;
-    for (int i = 0; i < 4; ++i) {
-        double weight = 1.0;
-        for (int k = 0; k < 4; ++k) {
-            weight *= k == i ? 1.0 : (t - k) / (i - k);
-        }
-        sum += weight * (double)numbers[(first + i) * stride];
-    }
-    return sum;
-}
-
-/* Numbers in [0, 1] where there are none yet, first to last of `count`: all but every `step`th,
-   `stride` words apart. */
-static void fill(float *numbers, int count, int first, int last, int stride, int step)
-{
-    for (int i = first; i <= last; ++i) {
-        if (i % step) {
-            double number =
-                between(numbers, (count - 1) / step + 1, step * stride, (double)i / step);
-            numbers[i * stride] = (float)fmin(fmax(number, 0.0), 1.0);
-        }
-    }
-}
-
-static struct glass_surface surface_of(const struct making *making, double alpha, int below)
-{
-    struct glass_surface surface = *making->surface;
-    surface.alpha = alpha;
+    struct facet_surface surface = *making->surface;
+    surface.alpha_u = surface.alpha_v = alpha;
     surface.eta = below ? 1.0 / surface.eta : surface.eta;
     return surface;
 }
 
-static float lost(struct glass_shares shares)
+static float lost(struct facet_shares shares)
 {
     return (float)fmin(fmax(1.0 - shares.reflected - shares.passed, 0.0), 1.0);
 }
@@ -152,24 +125,25 @@ static float lost(struct glass_shares shares)
 static void curves_make(const struct making *making, double alpha, int below, float *passed,
                         float *losses)
 {
-    struct glass_surface surface = surface_of(making, alpha, below);
+    struct facet_surface surface = surface_of(making, alpha, below);
     for (int part = 0; part < 2; ++part) {
         int first, last;
         columns_of(axis_of(making, below), part, &first, &last);
         for (int i = first; i <= last; i += COLUMN_STEP) {
             /* Not quite 0, where there is nothing to be seen. */
             double mu = fmax(making->cosine[below][i], 1e-6);
-            struct glass_shares shares = glass_shares_of(&surface, &making->rule, mu);
+            struct facet_light light = {mu, 1.0, 0.0};
+            struct facet_shares shares = facet_shares_of(&surface, &making->rule, light);
             losses[i] = lost(shares);
             if (passed) {
                 passed[i] = (float)shares.passed;
             }
         }
         if (last >= first) {
-            fill(losses + first, last - first + 1, 0, last - first, 1, COLUMN_STEP);
+            brdf_table_fill(losses + first, last - first + 1, 0, last - first, 1, COLUMN_STEP);
         }
         if (last >= first && passed) {
-            fill(passed + first, last - first + 1, 0, last - first, 1, COLUMN_STEP);
+            brdf_table_fill(passed + first, last - first + 1, 0, last - first, 1, COLUMN_STEP);
         }
     }
 }
@@ -177,17 +151,17 @@ static void curves_make(const struct making *making, double alpha, int below, fl
 /* The mean loss from below where there is no curve of it; in quarters, for it has more kinks. */
 static float mean_loss(const struct making *making, double alpha)
 {
-    struct glass_surface surface = surface_of(making, alpha, 1);
+    struct facet_surface surface = surface_of(making, alpha, 1);
     double critical = (double)axis_of(making, 1).critical;
     double sum = 0.0;
-    for (int i = 0; i < 4 * GLASS_NODES; ++i) {
-        int part = i / GLASS_NODES, k = i % GLASS_NODES;
+    for (int i = 0; i < 4 * NODES; ++i) {
+        int part = i / NODES, k = i % NODES;
         double width = 0.5 * (part < 2 ? critical : 1.0 - critical);
         double first = (part < 2 ? 0.0 : critical) + (part % 2) * width;
         if (width > 0.0) {
-            double mu = first + width * making->rule.at[k];
-            sum += 2.0 * mu * width * making->rule.weight[k] *
-                   (double)lost(glass_shares_of(&surface, &making->rule, mu));
+            struct facet_light light = {first + width * making->rule.at[k], 1.0, 0.0};
+            sum += 2.0 * light.mu * width * making->rule.weight[k] *
+                   (double)lost(facet_shares_of(&surface, &making->rule, light));
         }
     }
     return (float)sum;
@@ -248,8 +222,8 @@ static void head_make(struct making *making)
 static void rows_make(struct making *making)
 {
     int first = 0, last = ROWS - 1;
-    if (making->surface->alpha > 0.0) {
-        int row = (int)place_number(brdf_glass_row((float)making->surface->alpha)) / ROW_STEP;
+    if (making->surface->alpha_u > 0.0) {
+        int row = (int)place_number(brdf_glass_row((float)making->surface->alpha_u)) / ROW_STEP;
         first = row < 1 ? 0 : row > ROWS - 3 ? ROWS - 4 : row - 1;
         last = first + 3;
     }
@@ -257,15 +231,15 @@ static void rows_make(struct making *making)
         row_make(making, row * ROW_STEP);
     }
     for (int word = 0; word < BRDF_GLASS_ROW; ++word) {
-        fill(row_of(making, 0) + word, BRDF_GLASS_ROWS, first * ROW_STEP, last * ROW_STEP,
-             BRDF_GLASS_ROW, ROW_STEP);
+        brdf_table_fill(row_of(making, 0) + word, BRDF_GLASS_ROWS, first * ROW_STEP,
+                        last * ROW_STEP, BRDF_GLASS_ROW, ROW_STEP);
     }
     for (int row = first * ROW_STEP; row <= last * ROW_STEP; ++row) {
         row_average(making, row_of(making, row));
     }
 }
 
-brdf_status brdf_glass_table_make(const struct glass_surface *surface, int coating, float **table,
+brdf_status brdf_glass_table_make(const struct facet_surface *surface, int coating, float **table,
                                   size_t *words, struct brdf_error *error)
 {
     struct making *making = malloc(sizeof *making);
@@ -276,7 +250,7 @@ brdf_status brdf_glass_table_make(const struct glass_surface *surface, int coati
         return brdf_fail(error, BRDF_OUT_OF_MEMORY,
                          "out of memory for what a rough interface does");
     }
-    making->rule = glass_rule_make();
+    making->rule = facet_rule_make(NODES);
     making->surface = surface;
     making->coating = coating;
     making->table = made;

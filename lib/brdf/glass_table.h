@@ -7,7 +7,7 @@
 #include <stddef.h>
 
 #include "brdf/status.h"
-#include "glass_facets.h"
+#include "facet_shares.h"
 
 /*
  * A rough interface as seen from above. With alpha 0 the table is for any roughness; otherwise only
@@ -15,7 +15,7 @@
  * from above (coating.h), otherwise what is lost from above and from below (glass.h). *table, of
  * *words words, is to be freed with free(). BRDF_OUT_OF_MEMORY.
  */
-brdf_status brdf_glass_table_make(const struct glass_surface *surface, int coating, float **table,
+brdf_status brdf_glass_table_make(const struct facet_surface *surface, int coating, float **table,
                                   size_t *words, struct brdf_error *error);
 
 #endif

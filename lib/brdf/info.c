@@ -5,15 +5,25 @@
 #include <stdio.h>
 #include <string.h>
 
-/* One line of a model's list as a row of its table. What a kind has no use for is left out. */
+/* One line of a model's list as a row of its table. What a kind has no use for is left out, and so
+   is what nobody can set. */
 #define INFO(kind, name, initial, low, high, unit, meaning)                                        \
-    {BRDF_KIND_##kind, #name, INFO_##kind(initial, low, high), unit, meaning},
-#define INFO_CHOICE(initial, low, high) NULL, initial, 0.0f, 0.0f
-#define INFO_REAL(initial, low, high) NULL, initial, low, high
-#define INFO_COLOR(initial, low, high) NULL, initial, low, high
-#define INFO_ALIAS(initial, low, high) NULL, 0.0f, 0.0f, 0.0f
-#define INFO_METAL(initial, low, high) initial, 0.0f, 0.0f, 0.0f
-#define INFO_FILE(initial, low, high) NULL, 0.0f, 0.0f, 0.0f
+    INFO_##kind(kind, name, initial, low, high, unit, meaning)
+#define INFO_ROW(kind, name, initial_text, initial, low, high, unit, meaning)                      \
+    {BRDF_KIND_##kind, #name, initial_text, initial, low, high, unit, meaning},
+#define INFO_CHOICE(kind, name, initial, low, high, unit, meaning)                                 \
+    INFO_ROW(kind, name, NULL, initial, 0.0f, 0.0f, unit, meaning)
+#define INFO_REAL(kind, name, initial, low, high, unit, meaning)                                   \
+    INFO_ROW(kind, name, NULL, initial, low, high, unit, meaning)
+#define INFO_COLOR(kind, name, initial, low, high, unit, meaning)                                  \
+    INFO_ROW(kind, name, NULL, initial, low, high, unit, meaning)
+#define INFO_ALIAS(kind, name, initial, low, high, unit, meaning)                                  \
+    INFO_ROW(kind, name, NULL, 0.0f, 0.0f, 0.0f, unit, meaning)
+#define INFO_METAL(kind, name, initial, low, high, unit, meaning)                                  \
+    INFO_ROW(kind, name, initial, 0.0f, 0.0f, 0.0f, unit, meaning)
+#define INFO_FILE(kind, name, initial, low, high, unit, meaning)                                   \
+    INFO_ROW(kind, name, NULL, 0.0f, 0.0f, 0.0f, unit, meaning)
+#define INFO_DECIDED(kind, name, initial, low, high, unit, meaning)
 
 /* The row of zeros at the end lets a model have no parameters at all. */
 #define BRDF_MODEL(name, NAME, flags, summary, reference)                                          \

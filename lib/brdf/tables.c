@@ -6,6 +6,7 @@
 
 #include "brdf/microfacet.h"
 #include "brdf/round.h"
+#include "brushed_table.h"
 #include "glass_table.h"
 #include "merl_table.h"
 #include "rgl_table.h"
@@ -115,29 +116,66 @@ static float value_of(const struct brdf_model_info *model, const struct brdf_mat
     return material->word[brdf_parameter_place(model, p)];
 }
 
-/* The one roughness that the table will be asked for. */
-static float alpha_of(const struct brdf_model_info *model, const struct brdf_material *material)
+static int varies(const struct brdf_model_info *model, unsigned words, const char *name)
 {
-    if (model->tag == BRDF_MODEL_ROUGHPLASTIC) {
-        return value_of(model, material, "alpha");
+    return (int)(words >> brdf_parameter_place(model, brdf_parameter_find(model, name)) & 1u);
+}
+
+/* What is DECIDED lies behind the choices. */
+static void decide(const struct brdf_model_info *model, struct brdf_material *material, int yes)
+{
+    int place = 0;
+    for (size_t i = 0; i < model->parameter_count; ++i) {
+        place += model->parameters[i].kind == BRDF_KIND_CHOICE;
     }
-    return brdf_round_make(BRDF_ROUND_SMITH, value_of(model, material, "alpha_u"),
-                           value_of(model, material, "alpha_v"))
+    material->choices &= ~(15u << 4 * place);
+    material->choices |= (unsigned)yes << 4 * place;
+}
+
+/* The one roughness that the table will be asked for. */
+static double round_alpha(const struct facet_surface *surface)
+{
+    return (double)brdf_round_make(BRDF_ROUND_SMITH, (float)surface->alpha_u,
+                                   (float)surface->alpha_v)
         .alpha;
 }
 
-brdf_status brdf_table_compute(const struct brdf_material *material, int fixed, float **table,
-                               size_t *words, struct brdf_error *error)
+/* Metals have tables for two roughnesses that differ; other losses of theirs are fits. */
+static brdf_status metal_compute(const struct brdf_model_info *model,
+                                 struct brdf_material *material, struct facet_surface surface,
+                                 unsigned words_that_vary, float **table, size_t *words,
+                                 struct brdf_error *error)
+{
+    int brushed = surface.alpha_u != surface.alpha_v &&
+                  !varies(model, words_that_vary, "alpha_u") &&
+                  !varies(model, words_that_vary, "alpha_v");
+    decide(model, material, brushed);
+    return brushed ? brdf_brushed_table_make(&surface, table, words, error) : BRDF_OK;
+}
+
+/* roughplastic has one with every option, the others for compensation. */
+brdf_status brdf_table_compute(struct brdf_material *material, unsigned words_that_vary, int fixed,
+                               float **table, size_t *words, struct brdf_error *error)
 {
     const struct brdf_model_info *model = brdf_model_info((int)material->model);
-    int coating = model->tag == BRDF_MODEL_ROUGHPLASTIC; /* has one with every option */
-    if (!coating && option_of(model, material, "multiscatter") == 0) {
+    struct facet_surface surface = {option_of(model, material, "distribution"), 0, 0.0, 0.0, 0.0};
+    if (model->tag != BRDF_MODEL_ROUGHPLASTIC && !option_of(model, material, "multiscatter")) {
         return BRDF_OK;
     }
-    struct glass_surface surface = {option_of(model, material, "distribution"), 0, 0.0, 0.0};
-    surface.masking = coating ? BRDF_MASKING_SEPARABLE : option_of(model, material, "masking");
-    surface.alpha = fixed ? (double)alpha_of(model, material) : 0.0;
+    surface.masking = option_of(model, material, "masking");
+    if (model->tag == BRDF_MODEL_ROUGHPLASTIC) {
+        surface.masking = BRDF_MASKING_SEPARABLE;
+        surface.alpha_u = surface.alpha_v = (double)value_of(model, material, "alpha");
+    } else {
+        surface.alpha_u = (double)value_of(model, material, "alpha_u");
+        surface.alpha_v = (double)value_of(model, material, "alpha_v");
+    }
+    if (model->tag == BRDF_MODEL_ROUGHCONDUCTOR) {
+        return metal_compute(model, material, surface, words_that_vary, table, words, error);
+    }
     surface.eta =
         (double)(value_of(model, material, "int_ior") / value_of(model, material, "ext_ior"));
-    return brdf_glass_table_make(&surface, coating, table, words, error);
+    surface.alpha_u = surface.alpha_v = fixed ? round_alpha(&surface) : 0.0;
+    return brdf_glass_table_make(&surface, model->tag == BRDF_MODEL_ROUGHPLASTIC, table, words,
+                                 error);
 }

@@ -229,6 +229,10 @@ brdf_status brdf_draft_set(const struct brdf_draft *d, const struct brdf_paramet
     if (status) {
         return status;
     }
+    if (d->setting->varies && (p->kind == BRDF_KIND_REAL || p->kind == BRDF_KIND_COLOR)) {
+        unsigned words = p->kind == BRDF_KIND_COLOR ? 7u : 1u;
+        d->bsdf->varies |= words << brdf_parameter_place(d->model, p);
+    }
     switch (p->kind) {
     case BRDF_KIND_CHOICE:
         return set_choice(d, p);

@@ -26,7 +26,8 @@ static const struct operation {
 struct check {
     const struct brdf_model_info *model;
     struct brdfcl_random random;
-    struct brdf_bsdf *bsdf; /* owns the table */
+    int base;               /* check_cases.h */
+    struct brdf_bsdf *bsdf; /* that base; owns the table */
     const float *table;
     struct brdf_material material; /* of this batch */
     brdf_parameters parameters;    /* the same, unpacked */
@@ -161,6 +162,9 @@ static brdf_status run_variants(struct check *check, struct check_share share, i
     for (int variant = share.part; variant < variants && !status; variant += share.parts) {
         check->material = *brdf_bsdf_material(check->bsdf);
         brdfcl_check_material_vary(&check->material, check->model, variant);
+        if (!brdfcl_check_base_serves(check->model, check->base, &check->material)) {
+            continue;
+        }
         status = check_device_build(check->device, &check->material, error);
         for (int batch = 0; batch < batches && !status; ++batch) {
             status = run_batch(check, error);
@@ -170,20 +174,39 @@ static brdf_status run_variants(struct check *check, struct check_share share, i
     return status;
 }
 
-static void check_close(struct check *check)
+static void base_close(struct check *check)
 {
     check_device_close(check->device);
+    brdf_bsdf_destroy(check->bsdf);
+    check->device = NULL;
+    check->bsdf = NULL;
+}
+
+/* The next base; no bsdf if there are no more. */
+static brdf_status base_open(struct check *check, struct brdfcl_device *device,
+                             struct brdf_error *error)
+{
+    size_t words = 0;
+    brdf_status status = brdfcl_check_base_create(check->model, check->base, &check->bsdf, error);
+    if (!status && check->bsdf) {
+        check->table = brdf_bsdf_table(check->bsdf, &words);
+        status =
+            check_device_open(device, check->table, words, check->stride, &check->device, error);
+    }
+    return status;
+}
+
+static void check_close(struct check *check)
+{
+    base_close(check);
     free(check->input);
     free(check->reference);
     free(check->output);
-    brdf_bsdf_destroy(check->bsdf);
     free(check);
 }
 
-static brdf_status check_open(struct check *check, struct brdfcl_device *device,
-                              struct brdf_error *error)
+static brdf_status check_reserve(struct check *check, struct brdf_error *error)
 {
-    size_t words = 0;
     size_t plane = check->stride * sizeof(float);
     check->input = malloc(CHECK_INPUTS * plane);
     check->reference = malloc(CHECK_OUTPUTS * plane);
@@ -191,13 +214,7 @@ static brdf_status check_open(struct check *check, struct brdfcl_device *device,
     if (!check->input || !check->reference || !check->output) {
         return brdf_fail(error, BRDF_OUT_OF_MEMORY, "out of memory for %zu calls", check->stride);
     }
-    brdf_status status = brdfcl_check_bsdf_create(check->model->name, &check->bsdf, error);
-    if (!status) {
-        check->table = brdf_bsdf_table(check->bsdf, &words);
-        status =
-            check_device_open(device, check->table, words, check->stride, &check->device, error);
-    }
-    return status;
+    return BRDF_OK;
 }
 
 static void name_results(struct check *check, int lanes)
@@ -233,9 +250,13 @@ brdf_status check_model_share(struct brdfcl_device *device, int model, size_t co
     check->random.state = seed;
     check->stride = (calls + CHECK_GROUP - 1) / CHECK_GROUP * CHECK_GROUP;
     name_results(check, brdfcl_device_lanes(device));
-    brdf_status status = check_open(check, device, error);
-    if (!status) {
+    brdf_status status = check_reserve(check, error);
+    status = status ? status : base_open(check, device, error);
+    while (!status && check->bsdf) {
         status = run_variants(check, share, variants, batches, error);
+        base_close(check);
+        ++check->base;
+        status = status ? status : base_open(check, device, error);
     }
     for (int k = 0; k < OPERATIONS && !status; ++k) {
         report(&check->result[k], data);

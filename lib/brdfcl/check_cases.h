@@ -57,4 +57,16 @@ void brdfcl_check_material_describe(const struct brdf_material *material,
 brdf_status brdfcl_check_bsdf_create(const char *description, struct brdf_bsdf **out,
                                      struct brdf_error *error);
 
+/*
+ * The materials of the model whose tables its variants are checked with, from 0: the initial one,
+ * and one for which libbrdf decides otherwise (DECIDED in brdf/parameters.h). *out is NULL where
+ * there are no more of them.
+ */
+brdf_status brdfcl_check_base_create(const struct brdf_model_info *model, int number,
+                                     struct brdf_bsdf **out, struct brdf_error *error);
+
+/* Does the variant of a material have what needs the base's table? Always, of base 0. */
+int brdfcl_check_base_serves(const struct brdf_model_info *model, int number,
+                             const struct brdf_material *material);
+
 #endif

@@ -122,7 +122,11 @@ void brdfcl_check_material_vary(struct brdf_material *material, const struct brd
 {
     struct choices c;
     list_variants(&c, model);
-    material->choices = c.combination[variant % c.combinations];
+    unsigned own = 0u; /* what is DECIDED stays */
+    for (int k = 0; k < c.count; ++k) {
+        own |= 15u << 4 * k;
+    }
+    material->choices = (material->choices & ~own) | c.combination[variant % c.combinations];
     int sum = variant / c.combinations;
     for (int k = 0; k < c.count; ++k) {
         sum += option_of(material->choices, k);

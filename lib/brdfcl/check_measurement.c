@@ -176,3 +176,26 @@ brdf_status brdfcl_check_bsdf_create(const char *description, struct brdf_bsdf *
     rmdir(completion.folder);
     return status;
 }
+
+brdf_status brdfcl_check_base_create(const struct brdf_model_info *model, int number,
+                                     struct brdf_bsdf **out, struct brdf_error *error)
+{
+    char text[128];
+    *out = NULL;
+    if (number == 0) {
+        return brdfcl_check_bsdf_create(model->name, out, error);
+    }
+    if (number > 1 || !(model->flags & BRDF_COMPUTED) || !brdf_parameter_find(model, "alpha_u")) {
+        return BRDF_OK;
+    }
+    snprintf(text, sizeof text, "%s:multiscatter=kullaconty,alpha_u=0.05,alpha_v=0.5", model->name);
+    return brdf_bsdf_create(text, out, error);
+}
+
+int brdfcl_check_base_serves(const struct brdf_model_info *model, int number,
+                             const struct brdf_material *material)
+{
+    const struct brdf_parameter_info *p = brdf_parameter_find(model, "multiscatter");
+    return number == 0 || !p ||
+           (material->choices >> 4 * brdf_parameter_place(model, p) & 15u) > 0u;
+}

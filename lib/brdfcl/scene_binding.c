@@ -124,6 +124,7 @@ brdf_status scene_binding_read(struct scene_loader *loader, struct xml_node *chi
                           "\"%s\" cannot be a <texture>: it is one for the whole surface", name);
     }
     *stand_in = brdf_setting_real(parameter->name, target->initial);
+    stand_in->varies = 1;
     return binding_add(loader, child, model, parameter, bindings);
 }
 

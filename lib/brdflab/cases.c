@@ -128,7 +128,10 @@ static brdf_status add_random(struct lab_cases *cases, int variant, struct brdfc
     one->is_made = 1;
     one->bsdf.table = NULL;
     one->bsdf.table_words = 0;
-    return brdf_table_compute(material, 1, &one->bsdf.table, &one->bsdf.table_words, error);
+    brdf_status status =
+        brdf_table_compute(material, 0u, 1, &one->bsdf.table, &one->bsdf.table_words, error);
+    one->bsdf.parameters = brdf_parameters_load(material->model, material->choices, material->word);
+    return status;
 }
 
 brdf_status lab_cases_create(const struct brdf_model_info *model, struct lab_cases *cases,

@@ -12,6 +12,7 @@
 #ifndef BRDF_MODEL_ROUGHCONDUCTOR_H
 #define BRDF_MODEL_ROUGHCONDUCTOR_H
 
+#include "../brushed.h"
 #include "../energy.h"
 #include "../fresnel.h"
 #include "../parameters.h"
@@ -24,6 +25,7 @@
     P(CHOICE, fresnel, 0, 0, 1, "exact|schlick", "what a facet reflects")                          \
     P(CHOICE, sample_visible, 1, 0, 1, "false|true", "sample visible normals, or all of them")     \
     P(CHOICE, multiscatter, 0, 0, 1, "none|kullaconty", "light that meets several facets")         \
+    P(DECIDED, brushed, 0, 0, 1, "false|true", "two alphas, and a table for them (brushed.h)")     \
     P(METAL, material, "Cu", 0, 0, "", "name of a metal: sets eta and k")                          \
     P(COLOR, eta, 0.0f, 0.0f, 100.0f, "1", "refractive index, real part")                          \
     P(COLOR, k, 1.0f, 0.0f, 100.0f, "1", "refractive index, imaginary part")                       \
@@ -65,13 +67,33 @@ static inline brdf_rgb brdf_roughconductor_facet(struct brdf_roughconductor p, b
     return brdf_rgb_mul(p.specular_reflectance, brdf_roughconductor_fresnel(p, cosine));
 }
 
-/* The lobe of light that has met several facets. */
-static inline brdf_rgb brdf_roughconductor_lobe(struct brdf_roughconductor p,
-                                                struct brdf_energy energy, brdf_vec3 wo,
-                                                brdf_vec3 wi)
+static inline struct brdf_energy brdf_roughconductor_energy(struct brdf_roughconductor p,
+                                                            BRDF_GLOBAL const float *table)
 {
-    brdf_real lobe =
-        brdf_energy_lobe(energy, brdf_energy_loss(energy, wo), brdf_energy_loss(energy, wi));
+    if (p.brushed) {
+        return brdf_energy_of(table[BRDF_BRUSHED_LOSS], table[BRDF_BRUSHED_SPREAD]);
+    }
+    return brdf_energy_make(brdf_roughconductor_facets(p));
+}
+
+/* What one facet loses of light from w. */
+static inline brdf_real brdf_roughconductor_loss(struct brdf_roughconductor p,
+                                                 struct brdf_energy energy, brdf_vec3 w,
+                                                 BRDF_GLOBAL const float *table)
+{
+    if (p.brushed) {
+        return brdf_brushed_loss(table, p.alpha_u, p.alpha_v, w);
+    }
+    return brdf_energy_loss(energy, w);
+}
+
+/* The lobe of light that has met several facets. */
+static inline brdf_rgb brdf_roughconductor_lobe(struct brdf_roughconductor p, brdf_vec3 wo,
+                                                brdf_vec3 wi, BRDF_GLOBAL const float *table)
+{
+    struct brdf_energy energy = brdf_roughconductor_energy(p, table);
+    brdf_real lobe = brdf_energy_lobe(energy, brdf_roughconductor_loss(p, energy, wo, table),
+                                      brdf_roughconductor_loss(p, energy, wi, table));
     brdf_rgb normal = brdf_fresnel_conductor(1.0f, p.eta, p.k);
     brdf_rgb mean = p.fresnel == 0 ? brdf_fresnel_conductor_mean(p.eta, p.k)
                                    : brdf_fresnel_schlick_mean(normal);
@@ -81,9 +103,10 @@ static inline brdf_rgb brdf_roughconductor_lobe(struct brdf_roughconductor p,
 
 /* The probability of sampling that lobe: its part of all that is reflected, nearly. */
 static inline brdf_real brdf_roughconductor_share(struct brdf_roughconductor p,
-                                                  struct brdf_energy energy, brdf_vec3 wo)
+                                                  struct brdf_energy energy, brdf_vec3 wo,
+                                                  BRDF_GLOBAL const float *table)
 {
-    brdf_real loss = brdf_energy_loss(energy, wo);
+    brdf_real loss = brdf_roughconductor_loss(p, energy, wo, table);
     brdf_real several = loss * brdf_rgb_largest(brdf_fresnel_conductor(1.0f, p.eta, p.k));
     return several / ((1.0f - loss) + brdf_max(several, 1e-6f));
 }
@@ -91,7 +114,6 @@ static inline brdf_real brdf_roughconductor_share(struct brdf_roughconductor p,
 static inline brdf_rgb brdf_roughconductor_eval(struct brdf_roughconductor p, brdf_vec3 wo,
                                                 brdf_vec3 wi, BRDF_GLOBAL const float *table)
 {
-    (void)table;
     BRDF_KNOWN(ROUGHCONDUCTOR, p);
     struct brdf_facets facets = brdf_roughconductor_facets(p);
     brdf_mask above = (wo.z > 0.0f) & (wi.z > 0.0f);
@@ -100,7 +122,7 @@ static inline brdf_rgb brdf_roughconductor_eval(struct brdf_roughconductor p, br
     brdf_real g = brdf_facets_visibility(facets, h, wo, wi);
     brdf_rgb f = brdf_rgb_scale(brdf_roughconductor_facet(p, wo, wi), 0.25f * d * g);
     if (p.multiscatter) {
-        f = brdf_rgb_add(f, brdf_roughconductor_lobe(p, brdf_energy_make(facets), wo, wi));
+        f = brdf_rgb_add(f, brdf_roughconductor_lobe(p, wo, wi, table));
     }
     return brdf_rgb_pick(above, f, brdf_gray(0.0f));
 }
@@ -108,15 +130,14 @@ static inline brdf_rgb brdf_roughconductor_eval(struct brdf_roughconductor p, br
 static inline brdf_real brdf_roughconductor_pdf(struct brdf_roughconductor p, brdf_vec3 wo,
                                                 brdf_vec3 wi, BRDF_GLOBAL const float *table)
 {
-    (void)table;
     BRDF_KNOWN(ROUGHCONDUCTOR, p);
     struct brdf_facets facets = brdf_roughconductor_facets(p);
     brdf_mask above = (wo.z > 0.0f) & (wi.z > 0.0f);
     struct brdf_half h = brdf_half_make(wo, wi);
     brdf_real pdf = brdf_facets_pdf(facets, h, wo, brdf_facets_d(facets, h));
     if (p.multiscatter) {
-        struct brdf_energy energy = brdf_energy_make(facets);
-        brdf_real share = brdf_roughconductor_share(p, energy, wo);
+        struct brdf_energy energy = brdf_roughconductor_energy(p, table);
+        brdf_real share = brdf_roughconductor_share(p, energy, wo, table);
         pdf = (1.0f - share) * pdf +
               share * brdf_energy_pdf(energy.spread, brdf_clamp(wi.z, 0.0f, 1.0f));
     }
@@ -129,8 +150,8 @@ static inline struct brdf_sample brdf_roughconductor_sample_both(struct brdf_rou
                                                                  BRDF_GLOBAL const float *table)
 {
     struct brdf_facets facets = brdf_roughconductor_facets(p);
-    struct brdf_energy energy = brdf_energy_make(facets);
-    brdf_real share = brdf_roughconductor_share(p, energy, wo);
+    struct brdf_energy energy = brdf_roughconductor_energy(p, table);
+    brdf_real share = brdf_roughconductor_share(p, energy, wo, table);
     brdf_mask several = u.z < share;
     u.z = brdf_clamp((u.z - share) / brdf_max(1.0f - share, 1e-7f), 0.0f, 0.99999994f);
     brdf_vec3 mirrored = brdf_half_mirror(wo, brdf_facets_sample(facets, wo, u));
@@ -161,7 +182,8 @@ static inline struct brdf_sample brdf_roughconductor_sample(struct brdf_roughcon
 #endif
 
 #ifdef BRDF_MODEL
-BRDF_MODEL(roughconductor, ROUGHCONDUCTOR, BRDF_REFLECTION | BRDF_ANISOTROPIC | BRDF_RECIPROCAL,
+BRDF_MODEL(roughconductor, ROUGHCONDUCTOR,
+           BRDF_REFLECTION | BRDF_ANISOTROPIC | BRDF_RECIPROCAL | BRDF_COMPUTED,
            "rough metal: microfacets with a choice of distribution, masking and Fresnel",
            "Torrance and Sparrow 1967; Walter et al. 2007; Heitz 2014")
 #endif
