@@ -43,6 +43,12 @@ static inline struct brdf_brushed brdf_brushed_make(brdf_real alpha_u, brdf_real
     return brushed;
 }
 
+/* Of a cosine from 0 to 1: the mean with its fourth root. */
+static inline brdf_real brdf_brushed_spread(brdf_real cosine)
+{
+    return 0.5f * (cosine + sqrtf(sqrtf(cosine)));
+}
+
 static inline struct brdf_place brdf_brushed_row(struct brdf_brushed brushed)
 {
     float last = (float)(BRDF_BRUSHED_ROWS - 1);
@@ -54,8 +60,7 @@ static inline struct brdf_place brdf_brushed_column(struct brdf_brushed brushed)
     float last = (float)(BRDF_BRUSHED_COLUMNS - 1);
     brdf_real length2 = brushed.cosine * brushed.cosine + 4.0f * brushed.stretched;
     brdf_real cosine = brushed.cosine / sqrtf(brdf_max(length2, 1e-30f));
-    cosine = brdf_min(cosine, 1.0f);
-    return brdf_place_of(0.5f * last * (cosine + sqrtf(sqrtf(cosine))), last);
+    return brdf_place_of(last * brdf_brushed_spread(brdf_min(cosine, 1.0f)), last);
 }
 
 /* l for light from w; that of grazing light if w is below. */

@@ -3,23 +3,22 @@
  * side, and how they share it between reflection and transmission.
  *
  * Of light under the cosine mu, the part l(mu) neither is reflected nor passes by one facet; L is
- * its mean over diffuse light (glass_curve.h). The lobes are those of Kulla and Conty 2017. With
- * p = (1 - mean Fresnel reflectance) of a side, L' of the other side and s = min(L, L'), what is
- * lost on a side comes back
- *   through the interface  f = p s l(wo) l(wi) / (pi L L')
- *   by reflection          f = (1 - p s / L) l(wo) l(wi) / (pi L)
- * together l(wo), and reciprocal (times 1 / eta^2 of radiance that passes), for p goes as the
- * square of the index.
+ * its mean over diffuse light (glass_curve.h, brushed_glass.h). The lobes are those of Kulla and
+ * Conty 2017. With p = (1 - mean Fresnel reflectance) of a side, L' of the other side and s =
+ * min(L, L'), what is lost on a side comes back through the interface  f = p s l(wo) l(wi) / (pi L
+ * L') by reflection          f = (1 - p s / L) l(wo) l(wi) / (pi L) together l(wo), and reciprocal
+ * (times 1 / eta^2 of radiance that passes), for p goes as the square of the index.
  */
 #ifndef BRDF_GLASS_H
 #define BRDF_GLASS_H
 
+#include "brushed_glass.h"
 #include "glass_curve.h"
 
 /* What an interface of this roughness does with what it has lost; eta is below over above. */
 struct brdf_glass {
-    brdf_real alpha;
     struct brdf_place row;
+    brdf_real spread;     /* with which energy.h samples the lobes */
     brdf_real mean_above; /* L of both sides */
     brdf_real mean_below;
     brdf_real pass; /* p s of the side above; below it is this over eta^2 */
@@ -30,12 +29,26 @@ static inline struct brdf_glass brdf_glass_make(BRDF_GLOBAL const float *table, 
                                                 brdf_real eta)
 {
     struct brdf_glass glass;
-    glass.alpha = brdf_clamp(alpha, BRDF_GLASS_ALPHA_LOW, BRDF_GLASS_ALPHA_HIGH);
-    glass.row = brdf_glass_row(glass.alpha);
+    brdf_real inside = brdf_clamp(alpha, BRDF_GLASS_ALPHA_LOW, BRDF_GLASS_ALPHA_HIGH);
+    glass.row = brdf_glass_row(inside);
+    glass.spread = 4.0f * inside * inside;
     /* Never 0: nothing may be divided by that. */
     glass.mean_above = brdf_max(brdf_glass_mean(table, glass.row, BRDF_GLASS_LOSS_ABOVE), 1e-12f);
     glass.mean_below = brdf_max(brdf_glass_mean(table, glass.row, BRDF_GLASS_LOSS_BELOW), 1e-12f);
     glass.pass = table[BRDF_GLASS_PASS] * brdf_min(glass.mean_above, glass.mean_below);
+    glass.eta = eta;
+    return glass;
+}
+
+/* The same by the tables of brushed_glass.h, which have no rows for alpha. */
+static inline struct brdf_glass brdf_glass_brushed(BRDF_GLOBAL const float *table, brdf_real eta)
+{
+    struct brdf_glass glass;
+    glass.row = brdf_place_of(0.0f, 1.0f);
+    glass.spread = table[BRDF_BRUSHED_GLASS_SPREAD];
+    glass.mean_above = table[BRDF_BRUSHED_GLASS_ABOVE];
+    glass.mean_below = table[BRDF_BRUSHED_GLASS_BELOW];
+    glass.pass = table[BRDF_BRUSHED_GLASS_PASS] * brdf_min(glass.mean_above, glass.mean_below);
     glass.eta = eta;
     return glass;
 }

@@ -9,6 +9,7 @@
 
 #include "brdf/brushed.h"
 #include "brdf/facets.h"
+#include "lobe_spread.h"
 #include "table_fill.h"
 
 enum {
@@ -159,33 +160,6 @@ static double average(const struct facet_surface *surface, const float *words)
     return sum / quarter;
 }
 
-/* The greatest weight of the lobe's samples (energy.h), up to a factor. */
-static double weight_most(const float *words, const double *cosine2, double spread)
-{
-    double most = 0.0;
-    for (int i = 0; i < ROWS * COLUMNS; ++i) {
-        most = fmax(most, (double)words[i] * (cosine2[i] + spread));
-    }
-    return most * log1p(1.0 / spread);
-}
-
-/* The spread with which that is least, from the smoother tangent's to the rougher one's. */
-static double spread_best(const struct facet_surface *surface, const float *words,
-                          const double *cosine2)
-{
-    enum { STEPS = 32 };
-    double low = 4.0 * pow(fmin(surface->alpha_u, surface->alpha_v), 2.0);
-    double high = 4.0 * pow(fmax(surface->alpha_u, surface->alpha_v), 2.0);
-    double best = high, least = HUGE_VAL;
-    for (int i = 0; i <= STEPS; ++i) {
-        double spread = low * pow(high / low, (double)i / STEPS);
-        double most = weight_most(words, cosine2, spread);
-        best = most < least ? spread : best;
-        least = fmin(least, most);
-    }
-    return best;
-}
-
 brdf_status brdf_brushed_table_make(const struct facet_surface *surface, float **table,
                                     size_t *words, struct brdf_error *error)
 {
@@ -198,7 +172,7 @@ brdf_status brdf_brushed_table_make(const struct facet_surface *surface, float *
     double cosine2[ROWS * COLUMNS];
     words_make(surface, losses, cosine2);
     made[BRDF_BRUSHED_LOSS] = (float)average(surface, losses);
-    made[BRDF_BRUSHED_SPREAD] = (float)spread_best(surface, losses, cosine2);
+    made[BRDF_BRUSHED_SPREAD] = (float)brdf_lobe_spread(surface, losses, cosine2, ROWS * COLUMNS);
     *table = made;
     *words = BRDF_BRUSHED_WORDS;
     return BRDF_OK;

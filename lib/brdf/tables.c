@@ -140,17 +140,12 @@ static double round_alpha(const struct facet_surface *surface)
         .alpha;
 }
 
-/* Metals have tables for two roughnesses that differ; other losses of theirs are fits. */
-static brdf_status metal_compute(const struct brdf_model_info *model,
-                                 struct brdf_material *material, struct facet_surface surface,
-                                 unsigned words_that_vary, float **table, size_t *words,
-                                 struct brdf_error *error)
+/* Is the table to be for two roughnesses, which differ and are the same everywhere? */
+static int is_brushed(const struct brdf_model_info *model, const struct facet_surface *surface,
+                      unsigned words_that_vary)
 {
-    int brushed = surface.alpha_u != surface.alpha_v &&
-                  !varies(model, words_that_vary, "alpha_u") &&
-                  !varies(model, words_that_vary, "alpha_v");
-    decide(model, material, brushed);
-    return brushed ? brdf_brushed_table_make(&surface, table, words, error) : BRDF_OK;
+    return surface->alpha_u != surface->alpha_v && !varies(model, words_that_vary, "alpha_u") &&
+           !varies(model, words_that_vary, "alpha_v");
 }
 
 /* roughplastic has one with every option, the others for compensation. */
@@ -159,23 +154,28 @@ brdf_status brdf_table_compute(struct brdf_material *material, unsigned words_th
 {
     const struct brdf_model_info *model = brdf_model_info((int)material->model);
     struct facet_surface surface = {option_of(model, material, "distribution"), 0, 0.0, 0.0, 0.0};
-    if (model->tag != BRDF_MODEL_ROUGHPLASTIC && !option_of(model, material, "multiscatter")) {
+    int plastic = model->tag == BRDF_MODEL_ROUGHPLASTIC,
+        metal = model->tag == BRDF_MODEL_ROUGHCONDUCTOR;
+    if (!plastic && !option_of(model, material, "multiscatter")) {
         return BRDF_OK;
     }
-    surface.masking = option_of(model, material, "masking");
-    if (model->tag == BRDF_MODEL_ROUGHPLASTIC) {
-        surface.masking = BRDF_MASKING_SEPARABLE;
-        surface.alpha_u = surface.alpha_v = (double)value_of(model, material, "alpha");
-    } else {
-        surface.alpha_u = (double)value_of(model, material, "alpha_u");
-        surface.alpha_v = (double)value_of(model, material, "alpha_v");
+    surface.masking = plastic ? BRDF_MASKING_SEPARABLE : option_of(model, material, "masking");
+    surface.alpha_u = (double)value_of(model, material, plastic ? "alpha" : "alpha_u");
+    surface.alpha_v = (double)value_of(model, material, plastic ? "alpha" : "alpha_v");
+    if (!metal) {
+        surface.eta =
+            (double)(value_of(model, material, "int_ior") / value_of(model, material, "ext_ior"));
     }
-    if (model->tag == BRDF_MODEL_ROUGHCONDUCTOR) {
-        return metal_compute(model, material, surface, words_that_vary, table, words, error);
+    int brushed = !plastic && is_brushed(model, &surface, words_that_vary);
+    if (!plastic) {
+        decide(model, material, brushed);
     }
-    surface.eta =
-        (double)(value_of(model, material, "int_ior") / value_of(model, material, "ext_ior"));
+    if (metal) { /* what the others lose is a fit */
+        return brushed ? brdf_brushed_table_make(&surface, table, words, error) : BRDF_OK;
+    }
+    if (brushed) {
+        return brdf_brushed_glass_table_make(&surface, table, words, error);
+    }
     surface.alpha_u = surface.alpha_v = fixed ? round_alpha(&surface) : 0.0;
-    return brdf_glass_table_make(&surface, model->tag == BRDF_MODEL_ROUGHPLASTIC, table, words,
-                                 error);
+    return brdf_glass_table_make(&surface, plastic, table, words, error);
 }

@@ -23,6 +23,7 @@
     P(CHOICE, distribution, 0, 0, 1, "beckmann|ggx", "distribution of the facets' normals")        \
     P(CHOICE, masking, 0, 0, 1, "correlated|separable", "Smith masking and shadowing together")    \
     P(CHOICE, multiscatter, 0, 0, 1, "none|kullaconty", "light that meets several facets")         \
+    P(DECIDED, brushed, 0, 0, 1, "false|true", "two alphas, and tables for them")                  \
     P(REAL, int_ior, 1.5046f, 0.1f, 10.0f, "ior", "refractive index below the surface")            \
     P(REAL, ext_ior, 1.000277f, 0.1f, 10.0f, "ior", "refractive index above the surface")          \
     P(ALIAS, alpha, 0, 0, 0, "alpha_u|alpha_v", "roughness along both tangents")                   \
@@ -146,17 +147,26 @@ static inline struct brdf_sample brdf_roughdielectric_once_sample(struct brdf_ro
 static inline struct brdf_glass brdf_roughdielectric_glass(struct brdf_roughdielectric p,
                                                            BRDF_GLOBAL const float *table)
 {
+    if (p.brushed) {
+        return brdf_glass_brushed(table, p.int_ior / p.ext_ior);
+    }
     /* One loss for all azimuths: from below it goes by total reflection, not by masking. */
     struct brdf_round round = brdf_round_make(BRDF_ROUND_SMITH, p.alpha_u, p.alpha_v);
     return brdf_glass_make(table, round.alpha, p.int_ior / p.ext_ior);
 }
 
 /* What one facet loses of light from w; nothing where there is no interface. */
-static inline brdf_real brdf_roughdielectric_loss(struct brdf_glass glass, brdf_vec3 w,
+static inline brdf_real brdf_roughdielectric_loss(struct brdf_roughdielectric p,
+                                                  struct brdf_glass glass, brdf_vec3 w,
                                                   BRDF_GLOBAL const float *table)
 {
-    brdf_real cosine = brdf_clamp(fabsf(w.z), 0.0f, 1.0f);
-    brdf_real loss = brdf_glass_loss(table, glass, w.z > 0.0f, cosine);
+    brdf_real loss;
+    if (p.brushed) {
+        loss = brdf_brushed_glass_loss(table, p.alpha_u, p.alpha_v, w.z > 0.0f, w);
+    } else {
+        brdf_real cosine = brdf_clamp(fabsf(w.z), 0.0f, 1.0f);
+        loss = brdf_glass_loss(table, glass, w.z > 0.0f, cosine);
+    }
     brdf_mask vanishes = brdf_roughdielectric_vanishes(glass.eta);
     return brdf_pick(vanishes | (w.z == 0.0f), 0.0f, loss);
 }
@@ -171,8 +181,8 @@ static inline brdf_rgb brdf_roughdielectric_eval(struct brdf_roughdielectric p, 
         brdf_mask above_o = wo.z > 0.0f;
         brdf_mask above_i = wi.z > 0.0f;
         brdf_real lobe =
-            brdf_glass_lobe(glass, above_o, above_i, brdf_roughdielectric_loss(glass, wo, table),
-                            brdf_roughdielectric_loss(glass, wi, table));
+            brdf_glass_lobe(glass, above_o, above_i, brdf_roughdielectric_loss(p, glass, wo, table),
+                            brdf_roughdielectric_loss(p, glass, wi, table));
         brdf_mask mirrors = (above_o & above_i) | (!above_o & !above_i);
         brdf_rgb color = brdf_rgb_pick(mirrors, p.specular_reflectance, p.specular_transmittance);
         f = brdf_rgb_add(f, brdf_rgb_scale(color, lobe));
@@ -193,10 +203,10 @@ static inline brdf_real brdf_roughdielectric_pdf(struct brdf_roughdielectric p, 
     brdf_mask above_i = wi.z > 0.0f;
     brdf_mask mirrors = (above_o & above_i) | (!above_o & !above_i);
     brdf_real through = brdf_glass_through(glass, above_o);
-    brdf_real loss = brdf_roughdielectric_loss(glass, wo, table);
+    brdf_real loss = brdf_roughdielectric_loss(p, glass, wo, table);
     brdf_real cosine = brdf_clamp(fabsf(wi.z), 0.0f, 1.0f);
-    brdf_real lobe = brdf_energy_pdf(4.0f * glass.alpha * glass.alpha, cosine) *
-                     brdf_pick(mirrors, 1.0f - through, through);
+    brdf_real lobe =
+        brdf_energy_pdf(glass.spread, cosine) * brdf_pick(mirrors, 1.0f - through, through);
     return (1.0f - loss) * once + loss * lobe;
 }
 
@@ -211,11 +221,11 @@ static inline struct brdf_sample brdf_roughdielectric_sample(struct brdf_roughdi
     }
     struct brdf_glass glass = brdf_roughdielectric_glass(p, table);
     brdf_mask above = wo.z > 0.0f;
-    brdf_real loss = brdf_roughdielectric_loss(glass, wo, table);
+    brdf_real loss = brdf_roughdielectric_loss(p, glass, wo, table);
     brdf_mask several = u.z < loss;
     brdf_real through = brdf_glass_through(glass, above);
     brdf_mask passes = u.z < loss * through;
-    brdf_vec3 lobe = brdf_energy_sample(4.0f * glass.alpha * glass.alpha, u.x, u.y);
+    brdf_vec3 lobe = brdf_energy_sample(glass.spread, u.x, u.y);
     brdf_mask up = (above & (!passes)) | ((!above) & passes);
     lobe.z = brdf_pick(up, lobe.z, -lobe.z);
     u.z = brdf_clamp((u.z - loss) / brdf_max(1.0f - loss, 1e-7f), 0.0f, BRDF_ONE_MINUS_ULP);
