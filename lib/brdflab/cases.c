@@ -36,6 +36,8 @@ static const char *const more_cases[] = {
     "wood:fiber_axis=0.9/0.4/0.7,beta=0.05,fiber_reflectance=1,diffuse_reflectance=0.1",
     "wood:eta=1,fiber_reflectance=1,diffuse_reflectance=0",
     "roughconductor:distribution=ggx,alpha=0.7,multiscatter=kullaconty",
+    "roughconductor:distribution=ggx,alpha_u=0.05,alpha_v=0.8,multiscatter=kullaconty",
+    "roughdielectric:distribution=beckmann,alpha_u=0.6,alpha_v=0.1,multiscatter=kullaconty",
     "dielectric:int_ior=1.33,ext_ior=1",
     "dielectric:int_ior=1,ext_ior=2.4",
 };
