@@ -62,22 +62,26 @@ static void cut(struct cuts *cuts, double at)
     ++cuts->count;
 }
 
+/* G2 over both cosines by the maskings that only metals have; apart, so that the others are quick.
+ */
+static float visibility_rare(const struct facet_view *view, brdf_vec3 w)
+{
+    return brdf_facets_visibility(view->facets, brdf_half_make(view->wo, w), view->wo, w);
+}
+
 /* G2 / G1(wo) of light that leaves towards w. */
 static float seen(const struct facet_view *view, brdf_vec3 w)
 {
     if (!(w.z > 0.0f)) {
         return 0.0f;
     }
-    float visibility;
-    if (view->surface->masking == BRDF_MASKING_VCAVITY) {
-        visibility = brdf_vcavity_visibility(brdf_half_make(view->wo, w), view->mu, w.z);
-    } else {
-        int masking = view->surface->masking == BRDF_MASKING_CORRELATED ? BRDF_MASKING_CORRELATED
-                                                                        : BRDF_MASKING_SEPARABLE;
-        visibility = brdf_microfacet_visibility(masking, view->mu, w.z, view->area_masked,
-                                                brdf_facets_area(view->facets, w));
+    if (view->facets.masking > BRDF_MASKING_SEPARABLE) {
+        return w.z * view->area * visibility_rare(view, w);
     }
-    return w.z * view->area * visibility;
+    float area = brdf_microfacet_area(view->facets.distribution, w, view->facets.alpha_u,
+                                      view->facets.alpha_v);
+    return w.z * view->area *
+           brdf_microfacet_visibility(view->facets.masking, view->mu, w.z, view->area, area);
 }
 
 /* Light that leaves under the cosine z: the facet's normal counts `along` times in its direction,
@@ -197,7 +201,6 @@ static struct facet_view view_of(const struct facet_surface *surface, struct fac
     brdf_vec3 w = view.round ? leaving(&view, view.mu, view.wo, 0.0f, 0.0f) : view.wo;
     view.area =
         brdf_microfacet_area(surface->distribution, w, view.facets.alpha_u, view.facets.alpha_v);
-    view.area_masked = brdf_facets_area(view.facets, w);
     if (surface->eta > 0.0) {
         view.critical2 = fmax((1.0 - surface->eta) * (1.0 + surface->eta), 0.0);
     }

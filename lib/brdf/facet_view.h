@@ -21,7 +21,6 @@ struct facet_view {
     double slope, lean;        /* P = mu - slope x - lean y is a facet's area as it is seen */
     float mu;
     float area;                 /* of all facets that face the light, as it is seen */
-    float area_masked;          /* the same by the formula of the masking */
     double critical2;           /* square of the cosine where total reflection ends; 0 if none */
     struct facet_shares shares; /* sums */
     double all;                 /* sum of the weights */

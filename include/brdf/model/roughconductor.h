@@ -70,6 +70,7 @@ static inline brdf_rgb brdf_roughconductor_facet(struct brdf_roughconductor p, b
 static inline struct brdf_energy brdf_roughconductor_energy(struct brdf_roughconductor p,
                                                             BRDF_GLOBAL const float *table)
 {
+    BRDF_KNOWN(ROUGHCONDUCTOR, p);
     if (p.brushed) {
         return brdf_energy_of(table[BRDF_BRUSHED_LOSS], table[BRDF_BRUSHED_SPREAD]);
     }
@@ -81,6 +82,7 @@ static inline brdf_real brdf_roughconductor_loss(struct brdf_roughconductor p,
                                                  struct brdf_energy energy, brdf_vec3 w,
                                                  BRDF_GLOBAL const float *table)
 {
+    BRDF_KNOWN(ROUGHCONDUCTOR, p);
     if (p.brushed) {
         return brdf_brushed_loss(table, p.alpha_u, p.alpha_v, w);
     }

@@ -147,6 +147,7 @@ static inline struct brdf_sample brdf_roughdielectric_once_sample(struct brdf_ro
 static inline struct brdf_glass brdf_roughdielectric_glass(struct brdf_roughdielectric p,
                                                            BRDF_GLOBAL const float *table)
 {
+    BRDF_KNOWN(ROUGHDIELECTRIC, p);
     if (p.brushed) {
         return brdf_glass_brushed(table, p.int_ior / p.ext_ior);
     }
@@ -160,6 +161,7 @@ static inline brdf_real brdf_roughdielectric_loss(struct brdf_roughdielectric p,
                                                   struct brdf_glass glass, brdf_vec3 w,
                                                   BRDF_GLOBAL const float *table)
 {
+    BRDF_KNOWN(ROUGHDIELECTRIC, p);
     brdf_real loss;
     if (p.brushed) {
         loss = brdf_brushed_glass_loss(table, p.alpha_u, p.alpha_v, w.z > 0.0f, w);
