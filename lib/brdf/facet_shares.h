@@ -39,7 +39,7 @@ struct facet_light {
 
 /*
  * The parts of that light. Of round surfaces to 5e-4 with 8 nodes, mostly 1e-4; of brushed ones to
- * 1e-3 with 12 (of V-cavities here and there to 3e-3), mostly 1e-4.
+ * 1e-3 with 12, mostly 1e-4.
  */
 struct facet_shares facet_shares_of(const struct facet_surface *surface,
                                     const struct facet_rule *rule, struct facet_light light);
