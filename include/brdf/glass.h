@@ -4,10 +4,15 @@
  *
  * Of light under the cosine mu, the part l(mu) neither is reflected nor passes by one facet; L is
  * its mean over diffuse light (glass_curve.h, brushed_glass.h). The lobes are those of Kulla and
- * Conty 2017. With p = (1 - mean Fresnel reflectance) of a side, L' of the other side and s =
- * min(L, L'), what is lost on a side comes back through the interface  f = p s l(wo) l(wi) / (pi L
- * L') by reflection          f = (1 - p s / L) l(wo) l(wi) / (pi L) together l(wo), and reciprocal
- * (times 1 / eta^2 of radiance that passes), for p goes as the square of the index.
+ * Conty 2017. With p = (1 - mean Fresnel reflectance) of a side, L' of the other side and
+ * s = min(L, L'), what is lost on a side comes back
+ *
+ *   through the interface  f = p s l(wo) l(wi) / (pi L L')
+ *
+ *   by reflection          f = (1 - p s / L) l(wo) l(wi) / (pi L)
+ *
+ * together l(wo), and reciprocal (times 1 / eta^2 of radiance that passes), for p goes as the
+ * square of the index.
  */
 #ifndef BRDF_GLASS_H
 #define BRDF_GLASS_H
