@@ -14,11 +14,10 @@
 
 #include <brdf/round.h>
 
+#include "angle.h"
 #include "support_bsdf.h"
 #include "support_energy.h"
 #include "support_models.h"
-
-#define PI 3.14159265358979323846
 
 #define COUNT(array) (sizeof(array) / sizeof((array)[0]))
 
@@ -36,7 +35,7 @@ static double worst_of(const char *text, double side, double eta, size_t samples
     struct brdf_bsdf *bsdf = bsdf_make(text);
     double worst = 0.0;
     for (size_t i = 0; i < COUNT(views); ++i) {
-        brdf_vec3 wo = energy_direction(side * cos(views[i][0] * PI / 180.0), views[i][1]);
+        brdf_vec3 wo = energy_direction(side * cos(views[i][0] * pi / 180.0), views[i][1]);
         double albedo = energy_of_both_sides(bsdf, wo, eta, samples);
         worst = fmax(worst, fabs(albedo - 1.0));
         if (!(fabs(albedo - 1.0) <= 2e-3)) {
@@ -88,7 +87,7 @@ static struct spread spread_of(const char *name, const struct brdf_bsdf *bsdf, d
     for (int i = 0; i < ANGLES * TURNS; ++i) {
         /* The squares of the cosines are even: the plain mean is that over diffuse light. */
         double cosine = side * sqrt((i / TURNS + 0.5) / ANGLES);
-        double turn = (i % TURNS + 0.5) / TURNS * PI / 2.0;
+        double turn = (i % TURNS + 0.5) / TURNS * pi / 2.0;
         double albedo = energy_of_both_sides(bsdf, energy_direction(cosine, turn), eta, SAMPLES);
         spread.least = fmin(spread.least, albedo);
         spread.most = fmax(spread.most, albedo);

@@ -14,11 +14,10 @@
 
 #include <brdf/fresnel.h>
 
+#include "angle.h"
 #include "support_bsdf.h"
 #include "support_energy.h"
 #include "support_models.h"
-
-#define PI 3.14159265358979323846
 
 static struct brdf_bsdf *make(const char *format, const char *options, double alpha,
                               const char *multiscatter)
@@ -51,7 +50,7 @@ static void pair_destroy(struct pair pair)
 static double lobe(struct pair pair, double cos_o, double cos_i)
 {
     brdf_vec3 wo = energy_direction(cos_o, 0.7);
-    brdf_vec3 wi = energy_direction(cos_i, cos_i > 0.0 ? 0.7 : 0.7 + PI);
+    brdf_vec3 wi = energy_direction(cos_i, cos_i > 0.0 ? 0.7 : 0.7 + pi);
     return (double)brdf_eval(pair.with, wo, wi).g - (double)brdf_eval(pair.without, wo, wi).g;
 }
 
@@ -65,7 +64,7 @@ static double lobe_albedo(struct pair pair, double cos_o, double side)
         double mu = v * v * v;
         sum += lobe(pair, cos_o, side * mu) * mu * 3.0 * v * v;
     }
-    return 2.0 * PI * sum / STEPS;
+    return 2.0 * pi * sum / STEPS;
 }
 
 static const double alphas[] = {0.01, 0.1, 0.4, 1.0, 2.0};
@@ -88,7 +87,7 @@ static void mirrors_reflect_everything(void **state)
             struct pair pair = pair_make("roughconductor:material=none,%s,alpha=%g,multiscatter=%s",
                                          options[k], alphas[i]);
             for (size_t j = 0; j < COUNT(degrees); ++j) {
-                double cosine = cos(degrees[j] * PI / 180.0);
+                double cosine = cos(degrees[j] * pi / 180.0);
                 double once = energy_by_sampling(pair.without, energy_direction(cosine, 0.7)).value;
                 double albedo = once + lobe_albedo(pair, cosine, 1.0);
                 worst = fmax(worst, fabs(albedo - 1.0));
@@ -154,7 +153,7 @@ static double worst_of(const char *text, double eta, double side)
         fail_msg("%s", error.message);
     }
     for (size_t j = 0; j < COUNT(degrees); ++j) {
-        brdf_vec3 wo = energy_direction(side * cos(degrees[j] * PI / 180.0), 0.7);
+        brdf_vec3 wo = energy_direction(side * cos(degrees[j] * pi / 180.0), 0.7);
         double albedo = energy_of_both_sides(bsdf, wo, eta, models_long() ? 1 << 18 : 1 << 15);
         worst = fmax(worst, fabs(albedo - 1.0));
         if (!(fabs(albedo - 1.0) <= 2e-3)) {

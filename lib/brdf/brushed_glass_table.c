@@ -8,6 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "angle.h"
 #include "brdf/brushed_glass.h"
 #include "brdf/interface.h"
 #include "brushed_table.h"
@@ -159,7 +160,7 @@ static double average(const struct making *making, int below)
         sum += lost * rest * (before_x - x);
         before_x = x;
     }
-    return sum * 4.0 / 3.14159265358979323846;
+    return sum * 4.0 / pi;
 }
 
 static void side_make(struct making *making, const struct facet_surface *surface, int below,

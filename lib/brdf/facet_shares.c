@@ -11,6 +11,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "angle.h"
 #include "brdf/fresnel.h"
 #include "facet_view.h"
 
@@ -30,7 +31,7 @@ struct facet_rule facet_rule_make(int nodes)
     struct facet_rule rule;
     rule.count = nodes;
     for (int i = 0; i < nodes; ++i) {
-        double x = cos(3.14159265358979323846 * (nodes - i - 0.25) / (nodes + 0.5)), slope = 1.0;
+        double x = cos(pi * (nodes - i - 0.25) / (nodes + 0.5)), slope = 1.0;
         for (int step = 0; step < 8; ++step) { /* a root of Legendre's polynomial, by Newton */
             double before = 1.0, p = x;
             for (int k = 2; k <= nodes; ++k) {
