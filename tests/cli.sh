@@ -108,8 +108,8 @@ fi
 
 last='check diffuse'
 expect 0 check diffuse --count 1000
-says out '^diffuse  *sample  *16  *[0-9][0-9]*  *0  *0$'
-holds 'check: not a line for each operation and lane count' [ "$(wc -l <out)" -eq 13 ]
+says out '^diffuse  *sample  *32  *[0-9][0-9]*  *0  *0$'
+holds 'check: not a line for each operation and lane count' [ "$(wc -l <out)" -eq 16 ]
 last="check $copper"
 expect 0 check $copper --count 1000
 says out '^roughconductor  *eval  *8  *1000  *0  *0$'
