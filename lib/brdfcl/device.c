@@ -72,7 +72,7 @@ static brdf_status no_device(const char *choice, struct brdf_error *error)
 
 /*
  * Where nobody chose: a vector of the device. Evaluators take two of a processor's, which hide each
- * other's latencies (1.0 to 2.5 times as fast, docs/benchmark.md); a render's kernels have more
+ * other's latencies (up to 1.8 times as fast, docs/benchmark.md); a render's kernels have more
  * values than registers, and two vectors of each are slower.
  */
 static void choose_lanes(struct brdfcl_device *device, int lanes)
