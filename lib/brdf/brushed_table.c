@@ -7,6 +7,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "angle.h"
 #include "brdf/brushed.h"
 #include "brdf/facets.h"
 #include "lobe_spread.h"
@@ -148,7 +149,6 @@ static double row_average(const struct facet_surface *surface, const float *word
 /* Its mean over diffuse light: over a quarter turn. */
 static double average(const struct facet_surface *surface, const float *words)
 {
-    const double quarter = 1.5707963267948966;
     double sum = 0.0, before = 0.0;
     struct parts parts;
     parts_make(&parts);
@@ -157,7 +157,7 @@ static double average(const struct facet_surface *surface, const float *words)
         sum += row_average(surface, words, &parts, (i + 0.5) / PARTS) * (end - before);
         before = end;
     }
-    return sum / quarter;
+    return sum / (0.5 * pi);
 }
 
 brdf_status brdf_brushed_table_make(const struct facet_surface *surface, float **table,
