@@ -59,9 +59,13 @@ int brdf_file_number(const struct brdf_model_info *model,
 brdf_status brdf_table_load(const struct brdf_material *material, char *const files[BRDF_FILES],
                             float **table, size_t *words, struct brdf_error *error);
 
+/* The number of what was chosen for a parameter of kind CHOICE; 0 if the model has none of that
+   name. computed.c */
+int brdf_option_of(const struct brdf_material *material, const char *name);
+
 /*
  * The table that the material's options need, computed; left alone where they need none. Puts in
- * what is DECIDED (parameters.h). `varies` and `fixed` as above. tables.c
+ * what is DECIDED (parameters.h). `varies` and `fixed` as above. computed.c
  */
 brdf_status brdf_table_compute(struct brdf_material *material, unsigned varies, int fixed,
                                float **table, size_t *words, struct brdf_error *error);

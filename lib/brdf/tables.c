@@ -1,27 +1,16 @@
-/* tables.c - where a model's table comes from: a reader of its files, or a computation. */
+/* tables.c - the table of a model that has files: readers of their formats. */
 #include "bsdf.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-#include "brdf/microfacet.h"
-#include "brdf/round.h"
-#include "brushed_table.h"
-#include "glass_table.h"
 #include "merl_table.h"
 #include "rgl_table.h"
-
-static int option_of(const struct brdf_model_info *model, const struct brdf_material *material,
-                     const char *name)
-{
-    const struct brdf_parameter_info *p = brdf_parameter_find(model, name);
-    return p ? (int)(material->choices >> 4 * brdf_parameter_place(model, p) & 15u) : 0;
-}
 
 static brdf_status merl_load(const struct brdf_material *material, const char *path, float **table,
                              size_t *words, struct brdf_error *error)
 {
-    int fill = option_of(brdf_model_info((int)material->model), material, "fill");
+    int fill = brdf_option_of(material, "fill");
     return brdf_merl_table_load(path, fill ? BRDF_MERL_INVALID_FILL : BRDF_MERL_INVALID_ZERO, table,
                                 words, error);
 }
@@ -107,75 +96,4 @@ brdf_status brdf_table_load(const struct brdf_material *material, char *const fi
     *table = all;
     *words = count;
     return BRDF_OK;
-}
-
-static float value_of(const struct brdf_model_info *model, const struct brdf_material *material,
-                      const char *name)
-{
-    const struct brdf_parameter_info *p = brdf_parameter_find(model, name);
-    return material->word[brdf_parameter_place(model, p)];
-}
-
-static int varies(const struct brdf_model_info *model, unsigned words, const char *name)
-{
-    return (int)(words >> brdf_parameter_place(model, brdf_parameter_find(model, name)) & 1u);
-}
-
-/* What is DECIDED lies behind the choices. */
-static void decide(const struct brdf_model_info *model, struct brdf_material *material, int yes)
-{
-    int place = 0;
-    for (size_t i = 0; i < model->parameter_count; ++i) {
-        place += model->parameters[i].kind == BRDF_KIND_CHOICE;
-    }
-    material->choices &= ~(15u << 4 * place);
-    material->choices |= (unsigned)yes << 4 * place;
-}
-
-/* The one roughness that the table will be asked for. */
-static double round_alpha(const struct facet_surface *surface)
-{
-    return (double)brdf_round_make(BRDF_ROUND_SMITH, (float)surface->alpha_u,
-                                   (float)surface->alpha_v)
-        .alpha;
-}
-
-/* Is the table to be for two roughnesses, which differ and are the same everywhere? */
-static int is_brushed(const struct brdf_model_info *model, const struct facet_surface *surface,
-                      unsigned words_that_vary)
-{
-    return surface->alpha_u != surface->alpha_v && !varies(model, words_that_vary, "alpha_u") &&
-           !varies(model, words_that_vary, "alpha_v");
-}
-
-/* roughplastic has one with every option, the others for compensation. */
-brdf_status brdf_table_compute(struct brdf_material *material, unsigned words_that_vary, int fixed,
-                               float **table, size_t *words, struct brdf_error *error)
-{
-    const struct brdf_model_info *model = brdf_model_info((int)material->model);
-    struct facet_surface surface = {option_of(model, material, "distribution"), 0, 0.0, 0.0, 0.0};
-    int plastic = model->tag == BRDF_MODEL_ROUGHPLASTIC,
-        metal = model->tag == BRDF_MODEL_ROUGHCONDUCTOR;
-    if (!plastic && !option_of(model, material, "multiscatter")) {
-        return BRDF_OK;
-    }
-    surface.masking = plastic ? BRDF_MASKING_SEPARABLE : option_of(model, material, "masking");
-    surface.alpha_u = (double)value_of(model, material, plastic ? "alpha" : "alpha_u");
-    surface.alpha_v = (double)value_of(model, material, plastic ? "alpha" : "alpha_v");
-    if (!metal) {
-        surface.eta =
-            (double)(value_of(model, material, "int_ior") / value_of(model, material, "ext_ior"));
-    }
-    int brushed = !plastic && is_brushed(model, &surface, words_that_vary);
-    if (!plastic) {
-        decide(model, material, brushed);
-    }
-    if (metal) { /* what the others lose is a fit */
-        return brushed ? brdf_brushed_table_make(&surface, table, words, error) : BRDF_OK;
-    }
-    if (brushed) {
-        return brdf_brushed_glass_table_make(&surface, table, words, error);
-    }
-    surface.alpha_u = surface.alpha_v = fixed ? round_alpha(&surface) : 0.0;
-    return brdf_glass_table_make(&surface, plastic, table, words, error);
 }
