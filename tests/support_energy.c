@@ -10,6 +10,7 @@
 
 #include <cmocka.h>
 
+#include "angle.h"
 #include "support_models.h"
 
 const double energy_cosines[ENERGY_COSINES] = {0.1, 0.25, 0.5, 0.75, 1.0};
@@ -41,6 +42,19 @@ double energy_of_both_sides(const struct brdf_bsdf *bsdf, brdf_vec3 wo, double e
         sum += (double)s.weight.g * ((wo.z > 0.0f) == (s.wi.z > 0.0f) ? 1.0 : eta * eta);
     }
     return sum / (double)count;
+}
+
+double energy_missing(const struct brdf_bsdf *bsdf, const char *name, double degrees, double side,
+                      double azimuth, double eta, size_t count, double at_most)
+{
+    brdf_vec3 wo = energy_direction(side * cos(degrees * pi / 180.0), azimuth);
+    double albedo = energy_of_both_sides(bsdf, wo, eta, count);
+    double missing = fabs(albedo - 1.0);
+    if (!(missing <= at_most)) {
+        print_error("%s, %g degrees, azimuth %g: %.5f\n", name,
+                    side > 0.0 ? degrees : 180.0 - degrees, azimuth, albedo);
+    }
+    return missing;
 }
 
 /* One row, both ways; returns the number of failures. */

@@ -31,6 +31,11 @@ struct lab_sphere_sum energy_by_quadrature(const struct brdf_bsdf *bsdf, brdf_ve
  * over that on the near one. */
 double energy_of_both_sides(const struct brdf_bsdf *bsdf, brdf_vec3 wo, double eta, size_t count);
 
+/* How far that is from 1 for light from an angle with the normal on a side (1 above, -1 below) and
+ * an azimuth [rad]; `name` of what is further than `at_most` is printed. */
+double energy_missing(const struct brdf_bsdf *bsdf, const char *name, double degrees, double side,
+                      double azimuth, double eta, size_t count, double at_most);
+
 /* Rows against both; what differs is printed. Returns the number of failures. */
 int energy_check_known(const struct energy_known *rows, size_t count);
 
